@@ -8,17 +8,17 @@ import xxhash
 
 from attr import COLOUR, MEASURES, Attribute
 from coder import BitModel, Coder, NumberModel, States
-from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, DRAFT, HIGHPASS, Header, Reader, VOXELS, must,
+from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, HIGHPASS, Header, Reader, VOXELS, must,
                        unzigzag)
 from graph import MAP_11_ends
 from mesh import decode_chunks
+from messages import MAP_1_fields
 from patches import MAP_17_part
 
 class Map:
     """[MAP-5] The fields of a map's message, and [MAP-6] the primers with the states before each, and after the last."""
     def __init__(self, message):  # MAP-1, MAP-5, MAP-6
-        must(message[:5] == b"DMM" + bytes([128 + DRAFT, 1]), "MAP-1", "no map's message of this draft")
-        self.hash, r = xxhash.xxh3_64_intdigest(message), Reader(CNT_2_checked(message, "MAP-1")[5:])
+        self.hash, r = xxhash.xxh3_64_intdigest(message), MAP_1_fields(message, 1)
         self.id, self.epoch, self.frame = r.number("Q"), r.number("I"), r.bytes(r.u8())
         self.origin, self.step = [r.number("d") for _ in range(3)], 2.0**r.number("b")
         self.cell_steps, self.cell_origin = r.varint(), [unzigzag(r.varint()) for _ in range(3)]

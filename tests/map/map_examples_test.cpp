@@ -6,7 +6,9 @@
 
 #include <string>
 
+#include "deltamesh/map/fragment.h"
 #include "deltamesh/map/map_codec.h"
+#include "deltamesh/map/messages.h"
 #include "deltamesh/map/split.h"
 #include "spec/example_lines.h"
 
@@ -59,6 +61,25 @@ TEST(MapExamples, MAP2MAP4MAP7MAP8MAP11TwoParts) {
     std::vector<std::uint32_t> border;
     for (const BorderVertex& vertex : decoded->border) border.push_back(vertex.vertex);
     EXPECT_EQ(border, line_of<std::uint32_t>("map.md", "border-" + number));
+  }
+}
+
+TEST(MapExamples, MAP23MAP25APoseInFragments) {
+  const PoseMessage pose{.map = hash_of(kDescription),
+                         .start = 1,
+                         .number = 5,
+                         .pose = {1'500'000'000, {0.5, 0.5, 0.5, 0.5}, {1, 2, -0.5}}};
+  const auto written = write_pose(pose);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(*written, bytes_of("map.md", "pose"));
+  const auto pieces = cut_message(*written, 64);
+  ASSERT_TRUE(pieces);
+  FragmentJoiner joiner;
+  for (std::size_t i = pieces->size(); i-- > 0;) {
+    EXPECT_EQ((*pieces)[i], bytes_of("map.md", "fragment-" + std::to_string(i)));
+    const auto whole = joiner.add((*pieces)[i]);
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(whole->value_or(std::vector<std::byte>()), i == 0 ? *written : std::vector<std::byte>());
   }
 }
 

@@ -19,6 +19,7 @@ from glue import CONN_8_faces
 from grid import GRD_12_read
 from graph import components, neighbours
 from mesh import decode_chunks
+from messages import MAP_25_whole, Pose
 from ordr import ORDR_1_read
 from parts import Map
 from plain import FGRP_1_plain, PLN_2_faces, PLN_5_positions, PLN_6_values
@@ -132,6 +133,12 @@ def examples():
         part = whole.MAP_7_part((0, x, 0, 0), line("map.md", f"part-{x}", bytes))
         yield f"map.md part {x}", np.float32(part.positions), line("map.md", f"decoded-{x}", np.float32)
         yield f"map.md border {x}", list(part.border), line("map.md", f"border-{x}")
+    message, pieces = line("map.md", "pose", bytes), [line("map.md", f"fragment-{x}", bytes) for x in range(3)]
+    pose = Pose(message)
+    yield "map.md pose", pose.rotation + pose.translation, [0.5] * 4 + [1, 2, -0.5]
+    yield "map.md pose's numbers", (pose.map, pose.start, pose.number, pose.stamp), (whole.hash, 1, 5, 1500000000)
+    yield "map.md fragments", list(MAP_25_whole(pieces[::-1])), list(message)
+    yield "map.md fragments but one", [MAP_25_whole(pieces[1:])], [None]
     mesh = stream()
     yield "format.md faces", mesh.faces, line("format.md", "faces")
     yield "format.md positions", mesh.positions, line("format.md", "positions", np.float32)

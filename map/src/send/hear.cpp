@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kLongestOnTheWay = 60;  // seconds: what a link holds for longer is taken to be lost
 constexpr double kMakesRoom = 5;         // seconds; after which a viewer makes room for another
+constexpr double kDescribeAgain = 0.4;   // seconds; who speaks gets the map's message soon
 constexpr double kReuse = 0.5;  // seconds; in which a number's earlier receiver is not heard any more
 constexpr std::uint64_t kMostTold = std::uint64_t{1} << 62;
 constexpr std::uint64_t kBetweenRecords = 1 << 10;  // revisions that a receiver may have and not tell of
@@ -63,6 +64,7 @@ Result<void> MapSender::State::hear_view(std::span<const std::byte> bytes, doubl
   viewer.view = told.view;
   viewer.map = told.map;
   viewer.start = told.start;
+  viewer.describe_next = std::min(viewer.describe_next, now + kDescribeAgain);
   take_receipt(viewer, told.receipt, now);
   take_held(viewer, told.held, viewer.waiting_since(now));
   forget_gone_parts(viewer, map, now);

@@ -39,7 +39,7 @@ class Planner {
     plan_.unwanted = std::move(parts.others);
     for (const auto& [key, believed] : viewer_.has)
       if (believed.is_gone && (map_.find(key) == nullptr || plan_.unwanted.contains(key)) &&
-          waits_in_vain(key))
+          waits_in_vain(believed))
         plan_.removed.insert(key);
     add_what_does_not_fit();
     for (const auto& [key, version] : kept_) plan_.staying.insert(key);
@@ -84,8 +84,8 @@ class Planner {
   }
 
   /// A removal that waits for what will not come any more.
-  bool waits_in_vain(const PartKey& key) const {
-    return std::ranges::any_of(viewer_.sent.at(key).in_place, [&](const PartKey& other) {
+  bool waits_in_vain(const Believed& removal) const {
+    return std::ranges::any_of(removal.in_place, [&](const PartKey& other) {
       return map_.find(other) == nullptr || plan_.unwanted.contains(other);
     });
   }

@@ -96,6 +96,8 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
 
 void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages) {
   const std::vector<std::uint64_t> lost = viewer.delivery.take_lost(now);
+  if (const auto probe = viewer.delivery.probe(now); lost.empty() && probe && viewer.allowance.may_spend())
+    viewer.post(viewer.delivery.send_again(*probe, now).bytes, false, messages);
   if (lost.empty()) return;
   std::map<PartKey, std::vector<std::uint64_t>> sent;
   for (const auto& [number, message] : viewer.delivery.on_the_way()) sent[message.key].push_back(number);

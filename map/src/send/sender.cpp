@@ -122,7 +122,7 @@ Result<void> MapSender::State::add_messages(Viewer& viewer, double now,
   viewer.describe_wait = kDescribeWait;
   if (viewer.delivery.is_silent(now)) return {};
   recover(viewer, now, messages);
-  viewer.allowance.limit(viewer.delivery.room());
+  viewer.allowance.limit(viewer.delivery.room(now));
   DELTAMESH_CHECK(tell_pose(viewer, now, messages));
   viewer.send_made(now, messages);
   if (viewer.delivery.has_unsent()) return {};

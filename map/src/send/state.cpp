@@ -142,7 +142,7 @@ Result<void> MapSender::State::make_removal(const PartKey& key, const SendPlan& 
   std::erase_if(links,
                 [&](const PartLink& link) { return link.together && plan.unwanted.contains(link.key); });
   for (const PartLink& link : links)
-    if (link.together) viewer.sent[key].in_place.push_back(link.key);
+    if (link.together) viewer.has[key].in_place.push_back(link.key);
   DELTAMESH_TRY(auto message,
                 write_entry({.map = description_hash,
                              .start = viewer.begin,

@@ -40,7 +40,6 @@ struct SentPart {
   std::uint64_t revision = 0;                              ///< of the last message
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
-  std::vector<PartKey> in_place{};  ///< what that removal waits for
   bool was_lost = false;            ///< that message
   bool is_everywhere = false;       ///< told of by the receiver, and unknown
   std::optional<PartBox> extent{};  ///< of all versions that were sent
@@ -113,7 +112,6 @@ struct Viewer {
     SentPart& part = sent[key];
     part.time = now;
     part.is_removal = false;
-    part.in_place.clear();
     return part.revision = std::max({part.revision + 1, least, begin});
   }
 };

@@ -39,6 +39,8 @@ class Borders {
  public:
   explicit Borders(const MapLattice& lattice) : lattice_(lattice) {}
 
+  /// For so many more vertices in blocks to add.
+  void reserve(std::size_t vertices) { positions_.reserve(vertices); }
   /// Blocks stay where they are in memory until they are removed, with the mesh that they were added with.
   /// O(n log n) for n vertices.
   void add(const PlacedBlock& block);

@@ -44,6 +44,10 @@ std::set<Cell0> Layout::cells_of(const std::set<PartKey>& parts, const StoredBlo
 }
 
 void Layout::replace(StoredBlocks&& blocks) {
+  std::size_t vertices = 0;
+  for (const auto& [cell, block] : blocks)
+    if (!blocks_.contains(cell)) vertices += block.mesh.vertex_count();
+  borders_.reserve(vertices);
   for (auto& [cell, block] : blocks) {
     const auto known = blocks_.find(cell);
     if (known != blocks_.end()) borders_.remove(known->second);

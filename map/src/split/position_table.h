@@ -4,6 +4,8 @@
 // Which blocks have vertices at a position.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -32,9 +34,13 @@ class PositionTable {
     for (std::size_t i = home_of(position); slots_[i].block != nullptr; i = next(i))
       if (slots_[i].position == position) visit(*slots_[i].block);
   }
+  /// Makes room for so many more at once, in place of step by step.
+  void reserve(std::size_t more) {
+    if (2 * (count_ + more) > slots_.size()) grow_to(std::bit_ceil(2 * (count_ + more)));
+  }
   /// O(1) expected, as removal; a block has a position once.
   void add(const PositionBits& position, const PlacedBlock& block) {
-    if (2 * (count_ + 1) > slots_.size()) grow();
+    if (2 * (count_ + 1) > slots_.size()) grow_to(std::max(kFewest, 2 * slots_.size()));
     put({position, &block});
     ++count_;
   }
@@ -53,6 +59,8 @@ class PositionTable {
   }
 
  private:
+  static constexpr std::size_t kFewest = 64;
+
   struct Slot {
     PositionBits position{};
     const PlacedBlock* block = nullptr;
@@ -66,9 +74,8 @@ class PositionTable {
     while (slots_[i].block != nullptr) i = next(i);
     slots_[i] = slot;
   }
-  void grow() {
-    constexpr std::size_t kFirst = 64;
-    std::vector<Slot> before(slots_.empty() ? kFirst : 2 * slots_.size());
+  void grow_to(std::size_t size) {
+    std::vector<Slot> before(size);
     before.swap(slots_);
     for (const Slot& slot : before)
       if (slot.block != nullptr) put(slot);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "deltamesh/map/part_key.h"
 
@@ -22,10 +23,11 @@ struct Believed {
   std::uint64_t since = 0;  ///< the first revision with these octets, as far as it is known
   std::uint32_t version = 0;
   Stage stage = Stage::kTold;
-  bool is_waiting = false;   ///< the receiver has told that it does not show it
-  bool is_gone = false;      ///< its removal was sent
-  std::uint64_t number = 0;  ///< of its message; 0: the receiver told of it
-  PartKey base{};            ///< of the part that the message is a patch of; else its own
+  bool is_waiting = false;          ///< the receiver has told that it does not show it
+  bool is_gone = false;             ///< its removal was sent
+  std::vector<PartKey> in_place{};  ///< what that removal waits for
+  std::uint64_t number = 0;         ///< of its message; 0: the receiver told of it
+  PartKey base{};                   ///< of the part that the message is a patch of; else its own
 };
 
 }  // namespace deltamesh

@@ -28,6 +28,8 @@ class Congestion {
   }
 
   double limit() const noexcept { return limit_; }
+  /// Whether a reply takes so long that there must be a queue, to which the limit is still to follow.
+  bool is_too_long(double seconds) const noexcept { return seconds > kTooLong * longest(); }
   /// The shortest round trip so far: that without a queue, seconds; infinite: none.
   double least_round_trip() const noexcept { return least_; }
 
@@ -36,13 +38,15 @@ class Congestion {
   static constexpr double kWhile = 0.2;        // seconds
   static constexpr double kShort = 0.75;       // of the longest: there may be more
   static constexpr double kLongest = 1;        // seconds, or twice the shortest round trip
+  static constexpr double kTooLong = 1.5;      // of the longest
   static constexpr double kLeastLimit = 1024;  // bytes; one message may be on the way in any case
 
+  double longest() const noexcept { return std::max(kLongest, 2 * least_); }
+
   void decide(double now) noexcept {
-    const double longest = std::max(kLongest, 2 * least_);
-    if (fastest_ > longest) {
-      limit_ = std::max(flight_ / fastest_ * longest, kLeastLimit);
-    } else if (fastest_ < kShort * longest && flight_ > limit_ / 2) {
+    if (fastest_ > longest()) {
+      limit_ = std::max(flight_ / fastest_ * longest(), kLeastLimit);
+    } else if (fastest_ < kShort * longest() && flight_ > limit_ / 2) {
       limit_ *= 2;
     }
     fastest_ = kNever;

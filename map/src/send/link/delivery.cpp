@@ -42,8 +42,9 @@ const SentMessage& Delivery::send_next(double now) {
 
 void Delivery::note_sent(std::uint64_t number, SentMessage& message, double now) {
   sent_ = std::max(sent_, number);
+  sent_at_ = now;
   message.after = sent_;
-  message.time = message.waits_since = now;
+  message.time = now;
   ++message.times;
 }
 
@@ -57,9 +58,15 @@ void Delivery::skip(std::uint64_t number) {
   const auto found = on_the_way_.find(number);
   const PartKey key = found->second.key;
   const std::optional<Believed> before = found->second.before;
-  erase(found);
+  give_up(found);
   for (auto& [later, message] : on_the_way_)
     if (message.key == key && message.before && message.before->number == number) message.before = before;
+}
+
+void Delivery::give_up(Messages::iterator message) {
+  const auto& [number, sent] = *message;
+  if (sent.times == 1 && number > told_) given_up_[number] = {sent.time, sent.flight};
+  erase(message);
 }
 
 Delivery::Messages::iterator Delivery::erase(Messages::iterator message) {
@@ -69,19 +76,29 @@ Delivery::Messages::iterator Delivery::erase(Messages::iterator message) {
 
 void Delivery::hear(const Receipt& receipt, double now) {
   const bool was_silent = is_silent(now);
-  const double patience = timeout();
-  if (was_silent) overdue_ = 0;  // the link works again
+  if (was_silent) {  // the link works again
+    overdue_ = 0;
+    works_since_ = now;
+  }
   const double heard_before = std::exchange(heard_, now);
   if (receipt.highest < told_) return;
+  const double patience = timeout();
+  const auto newest = on_the_way_.find(receipt.highest);
+  const auto given_up = given_up_.find(receipt.highest);
   // The number of a message tells a round trip only if it was sent once (Karn's rule).
-  if (const auto newest = on_the_way_.find(receipt.highest);
-      newest != on_the_way_.end() && newest->second.times == 1 && !was_silent)
-    measure(newest->second, heard_before, now);
+  if (newest != on_the_way_.end() && newest->second.times == 1) {
+    measure({newest->second.time, newest->second.flight}, heard_before, now);
+  } else if (given_up != given_up_.end()) {
+    measure(given_up->second, heard_before, now);
+  }
+  const double took = newest == on_the_way_.end() ? kMostRoundTrip : now - newest->second.time;
+  const bool is_late = took > patience || congestion_.is_too_long(took);
+  if (receipt.highest > told_ && is_late && !was_silent) late_ = now;
   notice_late(receipt);
   told_ = receipt.highest;
   last_ = std::max(last_, told_);
   sent_ = std::max(sent_, told_);
-  bool is_queue = false;  // what has come was late, and is no reason to send it again
+  given_up_.erase(given_up_.begin(), given_up_.upper_bound(told_));
   auto missing = receipt.missing.begin();
   for (auto it = on_the_way_.begin(); it != on_the_way_.end() && it->first <= receipt.highest;) {
     const std::uint64_t number = it->first;
@@ -91,12 +108,8 @@ void Delivery::hear(const Receipt& receipt, double now) {
       ++it;
       continue;
     }
-    is_queue = is_queue || now - it->second.time > patience;
     it = erase(it);
   }
-  // What is behind it in a queue is not late yet.
-  for (auto& [number, message] : on_the_way_)
-    if (is_queue && !was_silent && message.after >= told_) message.waits_since = now;
   missing_ = receipt.missing;
 }
 
@@ -111,9 +124,9 @@ void Delivery::notice_late(const Receipt& receipt) {
   }
 }
 
-void Delivery::measure(const SentMessage& message, double heard_before, double now) noexcept {
+void Delivery::measure(const Sent& message, double heard_before, double now) noexcept {
   const double round_trip = now - message.time;
-  if (round_trip > kMostRoundTrip) return;
+  if (round_trip > kMostRoundTrip || message.time < works_since_) return;
   const double at_least = round_trip - (now - heard_before);  // receipts between may be lost
   if (round_trip_ && round_trip > timeout() && at_least < timeout() && now - heard_before > timeout()) return;
   overdue_ = 0;
@@ -132,6 +145,26 @@ double Delivery::timeout() const noexcept {
   return std::clamp(*round_trip_ + std::max(4 * variation_, kLeastSlack), kLeastTimeout, kMostTimeout);
 }
 
+double Delivery::room(double now) const noexcept {
+  return std::max(is_jammed(now) ? 0 : congestion_.limit() - flight_, may_probe(now) ? 1.0 : 0.0);
+}
+
+bool Delivery::may_probe(double now) const noexcept {
+  return round_trip_ && now - sent_at_ > 2 * *round_trip_;
+}
+
+std::optional<std::uint64_t> Delivery::probe(double now) const {
+  if (on_the_way_.empty() || !may_probe(now)) return std::nullopt;
+  const auto& [number, message] = *on_the_way_.rbegin();
+  return number > told_ && message.times == 1 ? std::optional(number) : std::nullopt;
+}
+
+bool Delivery::is_jammed(double now) const noexcept {
+  const auto next = on_the_way_.upper_bound(told_);
+  return next != on_the_way_.end() && next->second.times > 0 &&
+         congestion_.is_too_long(now - next->second.time) && !congestion_.is_too_long(now - late_);
+}
+
 bool Delivery::is_silent(double now) const noexcept {
   return !on_the_way_.empty() && now - heard_ > std::max(kSilence, 2 * timeout());
 }
@@ -143,9 +176,10 @@ std::vector<std::uint64_t> Delivery::take_lost(double now) {
   for (const auto& [number, message] : on_the_way_) {
     if (message.times == 0) continue;
     const bool has_passed = is_passed(number, message);
-    const bool is_heard = heard_ - message.waits_since > timeout();  // a reply would have come with that
+    const double waits_since = std::max(message.time, late_);  // behind what has come it may be in a queue
+    const bool is_heard = heard_ - waits_since > timeout();    // a reply would have come with that
     const double waits = is_heard ? std::min(patience, kHeardPatience) : patience;
-    if (!has_passed && now - message.waits_since <= std::max(waits, timeout())) continue;
+    if (!has_passed && now - waits_since <= std::max(waits, timeout())) continue;
     numbers.push_back(number);
     is_overdue = is_overdue || (!has_passed && message.time >= overdue_since_);
   }

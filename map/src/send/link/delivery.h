@@ -27,7 +27,6 @@ struct SentMessage {
   bool replaces_lost = false;        ///< a message that was lost
   bool is_superseded = false;        ///< a later message about the part is whole
   double time = 0;                   ///< when it was sent last, seconds
-  double waits_since = 0;            ///< when it was sent, or what was sent before it came, seconds
   double flight = 0;                 ///< bytes on the way then, with its own
   std::uint64_t after = 0;           ///< the highest number that was sent by then
   unsigned times = 0;                ///< how often it was sent
@@ -49,7 +48,7 @@ class Delivery {
   const SentMessage& send_next(double now);
   /// The message is to be sent once more.
   const SentMessage& send_again(std::uint64_t number, double now);
-  void forget(std::uint64_t number) { erase(on_the_way_.find(number)); }
+  void forget(std::uint64_t number) { give_up(on_the_way_.find(number)); }
   /// Forgets a lost message that nothing is made from.
   void skip(std::uint64_t number);
 
@@ -62,6 +61,9 @@ class Delivery {
   /// Numbers of messages that are taken to be lost, ascending: later ones have come, or a reply is overdue.
   /// Where replies are overdue, the next ones may take twice as long.
   std::vector<std::uint64_t> take_lost(double now);
+  /// The last message, where it is unanswered for so long that it is worth a second try: what comes of it
+  /// tells what is lost (RFC 8985, tail loss probe).
+  std::optional<std::uint64_t> probe(double now) const;
   /// Whether receipts still tell of a message of this number.
   bool is_told_of(std::uint64_t number) const noexcept { return number + kReceiptNumbers >= told_; }
 
@@ -72,34 +74,49 @@ class Delivery {
     return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ == 0;
   }
   /// Bytes that may be sent before they would queue up on their way; one message in any case if it is above
-  /// 0.
-  double room() const noexcept { return congestion_.limit() - flight_; }
+  /// 0. None while what arrives has waited too long. When nothing was sent for two round trips, one message.
+  double room(double now) const noexcept;
   /// Whether the receiver has not been heard for so long that nothing is worth sending.
   bool is_silent(double now) const noexcept;
 
  private:
+  struct Sent {
+    double time = 0;    ///< seconds
+    double flight = 0;  ///< bytes on the way then, with its own
+  };
+
   static constexpr double kSlow = 0.1;  // seconds
   /// Later messages have come.
   bool is_passed(std::uint64_t number, const SentMessage& message) const noexcept {
     return !is_told_of(number) || told_ > message.after + disorder_;
   }
+  /// Nothing was sent for two round trips.
+  bool may_probe(double now) const noexcept;
+  /// Late messages come, and the next one of them has waited for long.
+  bool is_jammed(double now) const noexcept;
   Messages::iterator erase(Messages::iterator message);
+  /// Forgets all but when it was sent.
+  void give_up(Messages::iterator message);
   void note_sent(std::uint64_t number, SentMessage& message, double now);
-  void measure(const SentMessage& message, double heard_before, double now) noexcept;
+  void measure(const Sent& message, double heard_before, double now) noexcept;
   void notice_late(const Receipt& receipt);
 
   Messages on_the_way_;
-  std::deque<std::uint64_t> unsent_{};  ///< numbers, ascending
-  double flight_ = 0;                   ///< bytes of these
+  std::map<std::uint64_t, Sent> given_up_{};  ///< sent once, taken for lost; above told_
+  std::deque<std::uint64_t> unsent_{};        ///< numbers, ascending
+  double flight_ = 0;                         ///< bytes of these
   Congestion congestion_{};
   std::uint64_t last_ = 0;                ///< the last number that was used
   std::uint64_t sent_ = 0;                ///< the highest number that was sent
+  double sent_at_ = 0;                    ///< when the last message was sent, seconds
   std::uint64_t told_ = 0;                ///< the highest number that the receiver has told of
   std::vector<std::uint64_t> missing_{};  ///< as the receiver told last
   std::uint64_t disorder_ = 0;            ///< by how many numbers a message that seemed lost came late
   unsigned overdue_ = 0;                  ///< how often replies were overdue since one came
   double overdue_since_ = 0;              ///< when they were last, seconds
   double heard_ = 0;
+  double late_ = 0;                     ///< when what came last was late, seconds
+  double works_since_ = 0;              ///< the last silence, seconds
   std::optional<double> round_trip_{};  ///< smoothed, seconds
   double variation_ = 0;                ///< of it
 };

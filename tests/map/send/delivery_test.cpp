@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What a sender makes of late, lost and missing replies.
+#include "send/link/delivery.h"
+
+#include <gtest/gtest.h>
+
+#include "deltamesh/map/receiver.h"
+#include "map/map_world.h"
+#include "send/viewer_state.h"
+
+namespace deltamesh {
+namespace {
+
+constexpr PartKey kKey{0, 1, 2, 3};
+
+std::uint64_t send(Delivery& delivery, double now) {
+  const std::uint64_t number = delivery.next_number();
+  delivery.add({.key = kKey, .bytes = std::vector<std::byte>(100), .is_whole = true});
+  (void)delivery.send_next(now);
+  return number;
+}
+
+/// Replies of a quick link, until 10.
+Delivery measured_delivery() {
+  Delivery delivery;
+  for (double now = 8; now < 10; now += 0.1) {
+    const std::uint64_t number = send(delivery, now);
+    delivery.hear({number, {}}, now + 0.05);
+  }
+  return delivery;
+}
+
+TEST(MapDelivery, MAP21WhatIsBehindLateMessagesIsInAQueueAndNotLost) {
+  Delivery delivery = measured_delivery();
+  const std::uint64_t first = send(delivery, 10);
+  for (int i = 1; i < 40; ++i) (void)send(delivery, 10 + 0.05 * i);
+  for (int i = 0; i < 8; ++i) delivery.hear({first - 1, {}}, 10 + 0.25 * i);
+  for (int i = 0; i < 40; ++i) {  // four a second: what a slower link carries
+    const double now = 12 + 0.25 * i;
+    delivery.hear({first + static_cast<std::uint64_t>(i), {}}, now);
+    EXPECT_TRUE(delivery.take_lost(now + 0.2).empty()) << i;
+    EXPECT_TRUE(i == 39 || delivery.room(now + 0.2) <= 1) << i;
+  }
+}
+
+TEST(MapDelivery, MAP21WhatComesAfterItWasGivenUpIsMeasured) {
+  Delivery delivery = measured_delivery();
+  const double before = delivery.timeout();
+  const std::uint64_t number = send(delivery, 11);
+  delivery.forget(number);
+  delivery.hear({number - 1, {}}, 12.4);
+  delivery.hear({number, {}}, 12.5);
+  EXPECT_GT(delivery.timeout(), 2 * before);
+}
+
+TEST(MapDelivery, MAP21TheLastMessageIsSentOnceMoreAfterTwoRoundTrips) {
+  Delivery delivery = measured_delivery();
+  const std::uint64_t number = send(delivery, 11);
+  EXPECT_EQ(delivery.probe(11.05), std::nullopt);
+  EXPECT_EQ(delivery.probe(11.2), number);
+  (void)delivery.send_again(number, 11.2);
+  EXPECT_EQ(delivery.probe(11.5), std::nullopt);
+}
+
+TEST(MapDelivery, MAP21ARemovalThatIsTakenBackLeavesWhatTheOneBeforeWaitsFor) {
+  Viewer viewer;
+  viewer.delivery = measured_delivery();
+  const Believed before{.revision = 5, .is_gone = true, .in_place = {kKey}};
+  const PartKey key{1, 0, 0, 0};
+  const std::uint64_t number = viewer.delivery.next_number();
+  viewer.delivery.add({.key = key, .bytes = std::vector<std::byte>(30), .before = before});
+  (void)viewer.delivery.send_next(11);
+  viewer.has[key] = {.revision = 6, .stage = Believed::Stage::kSent, .is_gone = true, .number = number};
+  std::vector<std::vector<std::byte>> messages;
+  recover(viewer, 20, messages);
+  EXPECT_EQ(viewer.has[key].revision, 5U);
+  EXPECT_EQ(viewer.has[key].in_place, before.in_place);
+}
+
+TEST(MapDelivery, MAP21WhoSpeaksGetsTheMapsMessageSoon) {
+  auto sender = MapSender::make(test::World::description(), {});
+  ASSERT_TRUE(sender);
+  MapReceiver receiver(1, test::World::description().id);
+  for (int tick = 0; tick < 200; ++tick) {
+    const double now = 0.05 * tick;
+    const auto said = receiver.messages(now);
+    ASSERT_TRUE(said);
+    for (const auto& message : *said) ASSERT_TRUE(sender->hear(message, now));
+    if (sender->viewers().empty()) continue;
+    const auto messages = sender->messages_for(1, now);
+    ASSERT_TRUE(messages);
+    // All is lost for eight seconds.
+    for (const auto& message : *messages) EXPECT_TRUE(now < 8 || receiver.apply(message));
+    EXPECT_TRUE(now < 8.5 || receiver.description() != nullptr) << now;
+  }
+}
+
+}  // namespace
+}  // namespace deltamesh
