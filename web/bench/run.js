@@ -80,12 +80,14 @@ async function streamsOf(meshes, encoder, decoder, draco) {
 const geometricMean = (values) => Math.exp(values.reduce((sum, value) => sum + Math.log(value), 0) / values.length);
 const rounded = (value) => value.toFixed(value < 10 ? 2 : 1);
 
+/** By kind, as cold() has them, and by job. */
 async function coldTimes(jobs, modules, measure) {
-  const times = {};
-  for (const name of Object.keys(jobs)) times[name] = [];
+  const kinds = {};
   for (let turn = 0; turn < COLD_TURNS; ++turn)
-    for (const [name, job] of Object.entries(jobs)) times[name].push(await measure({ kind: 'cold', modules, ...job }));
-  return Object.fromEntries(Object.entries(times).map(([name, values]) => [name, median(values)]));
+    for (const [name, job] of Object.entries(jobs))
+      for (const [kind, time] of Object.entries(await measure({ kind: 'cold', modules, ...job }))) ((kinds[kind] ??= {})[name] ??= []).push(time);
+  const medians = (times) => Object.fromEntries(Object.entries(times).map(([name, values]) => [name, median(values)]));
+  return Object.fromEntries(Object.entries(kinds).map(([kind, times]) => [kind, medians(times)]));
 }
 
 async function printTimes(where, measure, meshes, modules) {
@@ -97,8 +99,8 @@ async function printTimes(where, measure, meshes, modules) {
   for (const [mesh, jobs] of meshes) {
     const size = ({ streams }) => rounded(streams.reduce((sum, { length }) => sum + length, 0) / 1000);
     const sizes = [jobs.draco, jobs.lattice, jobs.highpass].map(size).join(', ');
-    const both = { warm: await measure({ kind: 'warm', jobs, modules }), cold: await coldTimes(jobs, modules, measure) };
-    for (const [kind, times] of Object.entries(both)) {
+    const all = { warm: await measure({ kind: 'warm', jobs, modules }), ...(await coldTimes(jobs, modules, measure)) };
+    for (const [kind, times] of Object.entries(all)) {
       const cells = Object.keys(REQUESTS).map((name) => {
         const ratio = times[name] / times.draco;
         (ratios[`${kind} ${name}`] ??= []).push(ratio);
