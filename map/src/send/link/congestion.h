@@ -28,6 +28,8 @@ class Congestion {
   }
 
   double limit() const noexcept { return limit_; }
+  /// Seconds that a reply takes at the most where nothing queues up.
+  double longest() const noexcept { return std::max(kLongest, 2 * least_); }
   /// Whether a reply takes so long that there must be a queue, to which the limit is still to follow.
   bool is_too_long(double seconds) const noexcept { return seconds > kTooLong * longest(); }
   /// The shortest round trip so far: that without a queue, seconds; infinite: none.
@@ -40,8 +42,6 @@ class Congestion {
   static constexpr double kLongest = 1;        // seconds, or twice the shortest round trip
   static constexpr double kTooLong = 1.5;      // of the longest
   static constexpr double kLeastLimit = 1024;  // bytes; one message may be on the way in any case
-
-  double longest() const noexcept { return std::max(kLongest, 2 * least_); }
 
   void decide(double now) noexcept {
     if (fastest_ > longest()) {

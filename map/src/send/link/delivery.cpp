@@ -150,7 +150,7 @@ double Delivery::room(double now) const noexcept {
 }
 
 bool Delivery::may_probe(double now) const noexcept {
-  return round_trip_ && now - sent_at_ > 2 * *round_trip_;
+  return round_trip_ && now - sent_at_ > std::min(2 * *round_trip_, congestion_.longest());
 }
 
 std::optional<std::uint64_t> Delivery::probe(double now) const {

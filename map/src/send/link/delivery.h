@@ -90,7 +90,7 @@ class Delivery {
   bool is_passed(std::uint64_t number, const SentMessage& message) const noexcept {
     return !is_told_of(number) || told_ > message.after + disorder_;
   }
-  /// Nothing was sent for two round trips.
+  /// Nothing was sent for two round trips, or longer than a reply takes where nothing queues up.
   bool may_probe(double now) const noexcept;
   /// Late messages come, and the next one of them has waited for long.
   bool is_jammed(double now) const noexcept;
