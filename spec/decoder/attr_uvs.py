@@ -75,25 +75,25 @@ class UvCoder:  # ATTR-31 to ATTR-37
     def decode(self):  # ATTR-31
         last = NOTHING
         for v, completed, around, copy in ATTR_30_order(self.surface):
-            forecast = self.ATTR_33_forecast(v, completed, last)
-            last = self.values[v] = self.ATTR_37_value(v, around, copy, forecast)
-            self.learn(v, completed, forecast)
+            prediction = self.ATTR_33_prediction(v, completed, last)
+            last = self.values[v] = self.ATTR_37_value(v, around, copy, prediction)
+            self.learn(v, completed, prediction)
         return [self.values[v] for v in range(self.surface.n)]
 
-    def ATTR_37_value(self, v, around, copy, forecast):
+    def ATTR_37_value(self, v, around, copy, prediction):
         """[ATTR-36, ATTR-37]"""
-        self.kept[v], n = 0, forecast.n
+        self.kept[v], n = 0, prediction.n
         if copy is not None and self.same.decode(v, around):
             return self.values[copy]
-        near, spread, kind = 4096, 4096, int(forecast.is_linked)
+        near, spread, kind = 4096, 4096, int(prediction.is_linked)
         if n:
-            near, spread = sum(self.kept[u] for u in around) // len(around), whole_part(forecast.spread * (16 / self.step))
+            near, spread = sum(self.kept[u] for u in around) // len(around), whole_part(prediction.spread * (16 / self.step))
             kind = 1 + min(n, 3)
         p, q = self.pairs.decode((near, near), (spread, spread), kind)
         must(max(abs(p), abs(q)) <= 2**24, "ATTR-37", f"numbers {p} and {q}")
         self.kept[v] = (5 * min(8 * (abs(p) + abs(q)), 2**17) + 3 * near) >> 3 if n else 0
         limit = 2.0**22 * self.step
-        centre = np.where(np.isnan(forecast.value), 0.0, np.clip(forecast.value, -limit, limit))
+        centre = np.where(np.isnan(prediction.value), 0.0, np.clip(prediction.value, -limit, limit))
         return (centre + self.step * np.array([p, q])).astype(F).astype(float)
 
     def ATTR_32_over(self, a, b, c):
@@ -105,7 +105,7 @@ class UvCoder:  # ATTR-31 to ATTR-37
         return (x, np.sqrt(max(square(w) * h - x * x, 0.0))) if square(w) * h <= 1e6 else None
 
     def ATTR_32_face(self, v, f, ia, ib):
-        """Forecast and weight, the other forecast and weight (None where there is none); None if the face does not count."""
+        """Prediction and weight, the other prediction and weight (None where there is none); None if the face does not count."""
         thirds = (third for g, third, before in self.surface.corners[ia] if g != f and before == ib and third in self.values)
         a, b, across = self.values[ia], self.values[ib], next(thirds, None)
         o, middle = self.values.get(across), 0.5 * (a + b)
@@ -126,9 +126,9 @@ class UvCoder:  # ATTR-31 to ATTR-37
                 other = foot + t * ((a + beyond[0] * E) - o), m / (1 + r * r)
         return (foot + (side * y) * np.array([-E[1], E[0]]), m), other
 
-    def ATTR_33_forecast(self, v, completed, last):
+    def ATTR_33_prediction(self, v, completed, last):
         found = [(a, b, self.ATTR_32_face(v, f, a, b)) for f, a, b in completed]
-        counting = [(a, b, *forecasts) for a, b, forecasts in found if forecasts]
+        counting = [(a, b, *predictions) for a, b, predictions in found if predictions]
         if not counting:
             linked = next((self.values[u] for _, *ends in self.surface.corners[v] for u in ends if u in self.values), None)
             return SimpleNamespace(value=last if linked is None else linked, n=0, is_linked=linked is not None)
@@ -145,15 +145,15 @@ class UvCoder:  # ATTR-31 to ATTR-37
         spread = max(spread, 0.3 * np.sqrt(square(d1)))
         return SimpleNamespace(value=value, n=n, is_linked=False, spread=spread, F=F, d1=d1, d2=d2, z=z)
 
-    def learn(self, v, completed, forecast):
+    def learn(self, v, completed, prediction):
         """[ATTR-32, ATTR-34, ATTR-35] What is kept after a vertex is coded."""
-        u, n = self.values[v], forecast.n
+        u, n = self.values[v], prediction.n
         for _, *ends in completed:
             a, b = (self.values[x] for x in ends)
             area = cross(b - a, u - a)
             self.side = 1.0 if area > 0 else -1.0 if area < 0 else self.side
         if n:
-            d1, d2, e = forecast.d1, forecast.d2, u - forecast.F
-            self.blends[min(n, 3)].learn(d1, d2, e, 1 / (0.02 * forecast.z + square(e) + square(d1)))
+            d1, d2, e = prediction.d1, prediction.d2, u - prediction.F
+            self.blends[min(n, 3)].learn(d1, d2, e, 1 / (0.02 * prediction.z + square(e) + square(d1)))
         if self.positions is not None:
-            self.fit.learn(self.places[v], u, not n and not forecast.is_linked)
+            self.fit.learn(self.places[v], u, not n and not prediction.is_linked)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What JavaScript hands to the encoder and gets back (packages/encoder/encoder.js writes and reads the same
+// What JavaScript hands to the encoder and gets back (packages/encoder/encode.js writes and reads the same
 // layouts). Pointers have 32 bits; a number that is not given is NaN.
 #pragma once
 

@@ -24,7 +24,7 @@ class AnchorContainers {
   /// Breadth-first searches made so far, one for every anchor found.
   std::uint64_t searches() const noexcept;
 
-  class Impl;  ///< laplacian/anchor_sequence.h; not for callers
+  class Impl;  ///< laplacian/anchors/anchor_sequence.h; not for callers
   Impl& impl() noexcept { return *impl_; }
 
  private:

@@ -20,8 +20,8 @@ namespace deltamesh {
 /// degree: d is the left null vector of L = I - D^-1 A, so a sum of charges that is zero costs the lowest
 /// frequency nothing). `strength` of it, 0 to 1, goes to the neighbours not yet visited in proportion to
 /// their degrees, and each adds its share divided by its own degree to the delta it has to code. At strength
-/// 0 every delta is quantised alone. `rate_weight`: 0 takes the nearest symbols, more prefers cheap ones
-/// . `deltas`: n; `graph` has no isolated vertices.
+/// 0 every delta is quantised alone. `rate_weight`: 0 takes the nearest symbols, more prefers cheap ones.
+/// `deltas`: n; `graph` has no isolated vertices.
 /// Returns 3 n symbols: x of every vertex, then y, then z. Errors: kInvalidArgument where a symbol exceeds
 /// 2^30. O(n + edges).
 Result<std::vector<std::int32_t>> quantize_deltas(const Adjacency& graph, std::span<const Vec3> deltas,

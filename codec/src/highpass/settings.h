@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Everything that decides on the bytes of a highpass stream: what rate control chooses and the coder does.
+// Everything that decides on the bytes of a highpass stream: what a search chooses and the coder does.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The search for one setting: a step, a number of levels or anchors, a scale of errors. Whoever looks for the
-// cheapest setting that keeps a bound, or for the best that fits a number of bytes, uses this one.
+// The search for one setting by trials: a step, a number of levels or anchors, a scale of errors. Whoever
+// looks for the cheapest setting that keeps a bound, or for the best that fits a number of bytes, uses it.
 #pragma once
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace {
 
 /// How far a highpass stream is forecast below a predictive one before it is taken: it decodes more slowly.
 constexpr double kWorthIt = 0.99;
-/// What a whole search is worth at kThoroughEffort.
+/// How far above it a forecast may be for the search still to be tried, at kThoroughEffort.
 constexpr double kHopeless = 1.15;
 
 /// Whether the request leaves the coder open.

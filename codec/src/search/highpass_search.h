@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 //
 // From a request to the settings of the highpass coder (Yang, Li et al., sections 3.3 and 4): VDE sets the
-// step, LFE and the largest error set anchors and diffusion.
+// step, LFE and the largest error set anchors and diffusion; without VDE they set the step.
 #pragma once
 
 #include "search/highpass_trials.h"

@@ -93,7 +93,7 @@ class BoundSearch {
   }
 
   std::optional<Candidate> on_voxels(const VoxelFit& fit) const {
-    // A vertex is off along its edge only, which is 2 levels' halves; see lattice_step_for().
+    // A vertex is off along its edge only, by half a level at most, which is a step; see lattice_step_for().
     const double step = lattice_step_for(bounds_, box_) * std::sqrt(3.0);
     Bracket bracket({.first = std::max(std::ceil(largest_side(fit) / step), 1.0),
                      .least = 1,

@@ -54,8 +54,7 @@ inline constexpr int kSearchEffort = 1;
 /// From here on a search tries what seldom saves much.
 inline constexpr int kThoroughEffort = 2;
 
-/// At most one of `step` and bounds on VDE or the largest error is set, and at most one of `anchors` and
-/// positional bounds. Without bounds, budget and `lossless`, `step` or `bits` is.
+/// At most one of `step`, `bits` and bounds on VDE or the largest error is set.
 struct Request {
   Bounds bounds{};
   std::optional<std::uint64_t> target_bytes = std::nullopt;

@@ -30,6 +30,7 @@ run encode cube.obj cube.dmsh --attribute-error intensity
 run encode cube.obj cube.dmsh --attribute-error =1
 run encode cube.obj cube.dmsh --attribute-error intensity=much
 run encode cube.obj cube.dmsh --attribute-error intensity=1 --attribute-error intensity=2
+run encode cube.obj cube.dmsh --lossless --attribute-rms intensity=1
 run encode cube.obj cube.dmsh --attribute-error intensity=1
 run encode cube.obj cube.dmsh --lossless --color-error 2
 run encode cube.obj cube.dmsh --color-rms 0

@@ -29,7 +29,7 @@ struct TangentPrediction {
   bool is_mirrored = false;  ///< faces are so in the texture: the sign is likely 1
 };
 
-/// Predictions the vertices of a surface order in order: prediction(i), settle(i, tangent), prediction(i + 1)
+/// Predicts the vertices of a surface order, in order: prediction(i), settle(i, tangent), prediction(i + 1)
 /// and so on.
 class TangentPredictor {
  public:
@@ -37,7 +37,7 @@ class TangentPredictor {
                    std::span<const float> uvs);
 
   TangentPrediction prediction(std::size_t i);
-  /// The decoded tangent of the vertex that was prediction last.
+  /// The decoded tangent of the vertex that was predicted last.
   void settle(std::size_t i, FourFloats tangent);
 
  private:

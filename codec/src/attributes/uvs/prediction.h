@@ -3,8 +3,7 @@
 //
 // Predictions of texture coordinates from the surface: faces keep their shapes in the texture, and the
 // texture goes on as it did on the faces next to them [ATTR-32, ATTR-33]. The same bits on every machine:
-// doubles,
-// + - * / and square roots, in the order written; shared by writer and reader.
+// doubles, + - * / and square roots, in the order written; shared by writer and reader.
 #pragma once
 
 #include <array>
@@ -28,14 +27,14 @@ struct UvPrediction {
   bool is_start = true;  ///< no face with two known corners
 };
 
-/// Predictions the vertices of a surface order in order: prediction(i), settle(i, value), prediction(i + 1)
+/// Predicts the vertices of a surface order, in order: prediction(i), settle(i, value), prediction(i + 1)
 /// and so on.
 class UvPredictor {
  public:
   UvPredictor(const AttributeSurface& surface, const SurfaceOrder& order);
 
   UvPrediction prediction(std::size_t i);
-  /// The decoded value of the vertex that was prediction last.
+  /// The decoded value of the vertex that was predicted last.
   void settle(std::size_t i, TwoDoubles value);
 
   /// The decoded value of a vertex for which settle() was called.
