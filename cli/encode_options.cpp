@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* kPositions = "Quality of positions";
 constexpr const char* kAttributes = "Quality of attributes (largest errors; 0 is exact)";
-constexpr std::array kAttributeOptions{"--normal-error", "--tangent-error",  "--uv-error",
-                                       "--color-error",  "--color-rms",      "--color-psnr",
+constexpr std::array kAttributeOptions{"--normal-error", "--tangent-error",   "--uv-error",
+                                       "--color-error",  "--color-rms",       "--color-psnr",
                                        "--weight-error", "--attribute-error", "--attribute-rms"};
 constexpr const char* kSettings = "Settings for experiments";
 
