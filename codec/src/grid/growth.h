@@ -113,7 +113,7 @@ class Growth {
     waiting_.add_across(brick, place, kCrossedFaces[signs]);
   }
 
-  /// Null if the pattern is another than that of known faces that go [GRD-16].
+  /// Null if the pattern is another than that of known faces that go [MAP-28].
   [[gnu::always_inline]] const ListedPattern* code_gone(Coder& coder, const Brick& brick, unsigned place,
                                                         Signs signs) {
     const auto gone = known_.gone(brick, place, signs);

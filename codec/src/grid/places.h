@@ -156,7 +156,7 @@ class PlaceCoder {
     cells[vertex] = cell;
   }
 
-  /// A vertex that stays, or one that is where it was [GRD-17].
+  /// A vertex that stays, or one that is where it was [MAP-29].
   bool is_known_level(Coder& coder, const KnownEdge& known, const PlaceWindow& window, int index,
                       unsigned axis, std::int32_t level) {
     if (known.stays || levels_ == 1) return known.stays;

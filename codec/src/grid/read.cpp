@@ -92,7 +92,7 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
   std::optional<grid::KnownSurface> known_surface;
   if (known != nullptr) {
     known_surface = grid::KnownSurface::make(*known, parameters);
-    if (!known_surface) return broken("GRD-13");
+    if (!known_surface) return broken("MAP-27");
   }
   const auto& [surface_bytes, rest_faces] = chunks;
   CompactReader reader(surface_bytes);

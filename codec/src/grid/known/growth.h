@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a known surface tells of one that grows: where it may have faces, and its signs [GRD-15, GRD-16].
+// What a known surface tells of one that grows: where it may have faces, and its signs [MAP-28].
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,7 @@ class KnownGrowth {
   void begin(Bricks& bricks, WaitingCubes& waiting) const {
     if (surface_ == nullptr) return;
     for (const KnownSurface::Cube& cube : surface_->cubes())
-      if ((cube.kind & KnownSurface::kStays) != 0)
-        bricks.set_corners(bricks.get(cube.brick), cube.place, cube.outside, cube.inside);
+      if ((cube.kind & KnownSurface::kStays) != 0) set_corners(bricks, cube);
     for (const KnownSurface::Cube& cube : surface_->cubes())
       if ((cube.kind & KnownSurface::kGoes) != 0) waiting.add(bricks.get(cube.brick), cube.place);
   }
@@ -67,13 +66,19 @@ class KnownGrowth {
   Gone gone(const Brick& brick, unsigned place, Signs signs) noexcept {
     const Brick* const known = find(brick);
     if (known == nullptr || (known->cubes[place] & KnownSurface::kGoes) == 0) return {};
+    const Corners before(*known, place);
+    if (before.known() != 255) return {};
     const KnownSurface::Cube& cube = surface_->cube(*known, place);
-    if ((cube.outside | cube.inside) != 255) return {};
-    const unsigned is_other = cube.outside == signs ? 0 : 1;
+    const unsigned is_other = before.outside == signs ? 0 : 1;
     return {&cube.gone, &patterns_[is_other + (cube.kind & KnownSurface::kStays)]};
   }
 
  private:
+  void set_corners(Bricks& bricks, const KnownSurface::Cube& cube) const {
+    const Corners before(*surface_->bricks().find(cube.brick), cube.place);
+    bricks.set_corners(bricks.get(cube.brick), cube.place, before.outside, before.inside);
+  }
+
   /// Those that are on the other side now, 3 at most.
   static unsigned wrong_corners(const Corners& now, const Corners& before) noexcept {
     const Signs wrong = (now.outside & before.inside) | (now.inside & before.outside);

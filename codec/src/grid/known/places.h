@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Where a known surface cuts edges, around a brick of a newer one [GRD-17].
+// Where a known surface cuts edges, around a brick of a newer one [MAP-29].
 #pragma once
 
 #include <algorithm>

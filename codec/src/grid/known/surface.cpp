@@ -175,9 +175,7 @@ void KnownSurface::settle(Cube& cube) {
   Brick& brick = *bricks_.find(cube.brick);
   const unsigned over = beyond(cube.place);
   const Spot spot = spot_of(cube.place);
-  const Corners known(brick, cube.place);
-  cube.outside = known.outside;
-  cube.inside = known.inside;
+  Corners known(brick, cube.place);
   const auto is_cut = [&](unsigned edge) {
     const unsigned corner = first_corner(edge);
     const auto at = [&](unsigned axis) {
@@ -186,15 +184,15 @@ void KnownSurface::settle(Cube& cube) {
     return (Bricks::brick_of(brick, over, corner).cut[at(1) + kSide * at(2)] &
             Brick::cut_bit(at(0), edge / 4)) != 0;
   };
-  for (unsigned round = 0; round < kCorners && (cube.outside | cube.inside) != 255; ++round) {
+  for (unsigned round = 0; round < kCorners && known.known() != 255; ++round) {
     for (unsigned edge = 0; edge < kEdges; ++edge) {
       const unsigned ends = 1U << first_corner(edge) | 1U << last_corner(edge);
-      if (is_cut(edge) || ((cube.outside | cube.inside) & ends) == ends) continue;
-      if ((cube.outside & ends) != 0) cube.outside |= ends;
-      if ((cube.inside & ends) != 0) cube.inside |= ends;
+      if (is_cut(edge) || (known.known() & ends) == ends) continue;
+      if ((known.outside & ends) != 0) known.outside |= ends;
+      if ((known.inside & ends) != 0) known.inside |= ends;
     }
   }
-  bricks_.set_corners(brick, cube.place, cube.outside, cube.inside);
+  bricks_.set_corners(brick, cube.place, known.outside, known.inside);
 }
 
 }  // namespace deltamesh::grid

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A mesh that both sides have, on the grid of another one [GRD-13, GRD-14].
+// A mesh that both sides have, on the grid of another one [MAP-26, MAP-27].
 #pragma once
 
 #include <array>
@@ -33,12 +33,10 @@ class KnownSurface {
     Bricks::Place brick{};
     unsigned place = 0;
     unsigned kind = 0;
-    Signs outside = 0;  ///< corners known to be so
-    Signs inside = 0;
     Pattern gone{};  ///< of the faces that do not stay
   };
 
-  /// Nothing where it takes too many bricks [GRD-13]. O(n + m).
+  /// Nothing where it takes too many bricks [MAP-27]. O(n + m).
   static std::optional<KnownSurface> make(const KnownMesh& mesh, const PredictiveParameters& parameters);
 
   /// In the order of their first faces.
