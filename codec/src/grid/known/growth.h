@@ -25,9 +25,9 @@ class KnownGrowth {
   void begin(Bricks& bricks, WaitingCubes& waiting) const {
     if (surface_ == nullptr) return;
     for (const KnownSurface::Cube& cube : surface_->cubes())
-      if ((cube.kind & KnownSurface::kStays) != 0) set_corners(bricks, cube);
+      if ((cube.kind() & KnownSurface::kStays) != 0) set_corners(bricks, cube);
     for (const KnownSurface::Cube& cube : surface_->cubes())
-      if ((cube.kind & KnownSurface::kGoes) != 0) waiting.add(bricks.get(cube.brick), cube.place);
+      if ((cube.kind() & KnownSurface::kGoes) != 0) waiting.add(bricks.get(cube.brick->at), cube.place);
   }
 
   /// Null: as without a known surface. `faceless`: of the cubes across faces.
@@ -68,15 +68,15 @@ class KnownGrowth {
     if (known == nullptr || (known->cubes[place] & KnownSurface::kGoes) == 0) return {};
     const Corners before(*known, place);
     if (before.known() != 255) return {};
-    const KnownSurface::Cube& cube = surface_->cube(*known, place);
     const unsigned is_other = before.outside == signs ? 0 : 1;
-    return {&cube.gone, &patterns_[is_other + (cube.kind & KnownSurface::kStays)]};
+    return {&surface_->gone(*known, place),
+            &patterns_[is_other + (known->cubes[place] & KnownSurface::kStays)]};
   }
 
  private:
   void set_corners(Bricks& bricks, const KnownSurface::Cube& cube) const {
-    const Corners before(*surface_->bricks().find(cube.brick), cube.place);
-    bricks.set_corners(bricks.get(cube.brick), cube.place, before.outside, before.inside);
+    const Corners before(*cube.brick, cube.place);
+    bricks.set_corners(bricks.get(cube.brick->at), cube.place, before.outside, before.inside);
   }
 
   /// Those that are on the other side now, 3 at most.

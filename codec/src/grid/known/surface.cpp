@@ -114,7 +114,8 @@ std::optional<KnownSurface> KnownSurface::make(const KnownMesh& mesh,
       surface->add_face(*face, mesh.stays[f] != 0);
     if (surface->bricks_.count() > most) return std::nullopt;
   }
-  for (Cube& cube : surface->cubes_) surface->settle(cube);
+  for (const Cube& cube : surface->cubes_) surface->settle(cube);
+  for (auto& [cube, gone] : surface->gone_) gone.sort();
   return surface;
 }
 
@@ -147,13 +148,12 @@ bool KnownSurface::add_vertices(const KnownMesh& mesh, const PredictiveParameter
 void KnownSurface::add_face(const Face& face, bool stays) {
   Brick& brick = bricks_.get(brick_of(face.lowest));
   const unsigned place = place_of(spot_in_brick(face.lowest));
-  const auto [found, is_new] =
-      numbers_.try_emplace(number_of(brick, place), static_cast<std::uint32_t>(cubes_.size()));
-  if (is_new) cubes_.push_back({.brick = brick.at, .place = place});
-  Cube& cube = cubes_[found->second];
-  cube.kind |= stays ? kStays : kGoes;
-  brick.cubes[place] = static_cast<std::uint8_t>(cube.kind);
-  if (!stays && cube.gone.triangles().size() < Pattern::kMostTriangles) cube.gone.add(face.edges);
+  if (brick.cubes[place] == 0) cubes_.push_back({&brick, place});
+  brick.cubes[place] = static_cast<std::uint8_t>(brick.cubes[place] | (stays ? kStays : kGoes));
+  if (!stays) {
+    Pattern& gone = gone_[number_of(brick, place)];
+    if (gone.triangles().size() < Pattern::kMostTriangles) gone.add(face.edges);
+  }
   const Corners known(brick, place);
   Signs outside = known.outside;
   Signs inside = known.inside;
@@ -170,12 +170,12 @@ void KnownSurface::add_face(const Face& face, bool stays) {
 }
 
 /// Corners that no face tells of are on the side of those along edges that are not cut.
-void KnownSurface::settle(Cube& cube) {
-  cube.gone.sort();
-  Brick& brick = *bricks_.find(cube.brick);
+void KnownSurface::settle(const Cube& cube) {
+  Brick& brick = *cube.brick;
   const unsigned over = beyond(cube.place);
   const Spot spot = spot_of(cube.place);
   Corners known(brick, cube.place);
+  if (known.known() == 255) return;
   const auto is_cut = [&](unsigned edge) {
     const unsigned corner = first_corner(edge);
     const auto at = [&](unsigned axis) {

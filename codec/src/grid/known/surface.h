@@ -30,10 +30,10 @@ class KnownSurface {
   static constexpr unsigned kStays = 2;  ///< of a cube: a face in it stays
 
   struct Cube {
-    Bricks::Place brick{};
-    unsigned place = 0;
-    unsigned kind = 0;
-    Pattern gone{};  ///< of the faces that do not stay
+    Brick* brick;
+    unsigned place;
+
+    unsigned kind() const noexcept { return brick->cubes[place]; }
   };
 
   /// Nothing where it takes too many bricks [MAP-27]. O(n + m).
@@ -41,9 +41,9 @@ class KnownSurface {
 
   /// In the order of their first faces.
   const std::vector<Cube>& cubes() const noexcept { return cubes_; }
-  /// Precondition: there is one. `brick`: of bricks().
-  const Cube& cube(const Brick& brick, unsigned place) const noexcept {
-    return cubes_[numbers_.find(number_of(brick, place))->second];
+  /// Of the faces that do not stay. Precondition: there are such. `brick`: of bricks().
+  const Pattern& gone(const Brick& brick, unsigned place) const noexcept {
+    return gone_.find(number_of(brick, place))->second;
   }
   /// With the states of nodes, the kinds of cubes and, as `cut`, edges that have a vertex.
   const Bricks& bricks() const noexcept { return bricks_; }
@@ -58,7 +58,7 @@ class KnownSurface {
 
   bool add_vertices(const KnownMesh& mesh, const PredictiveParameters& parameters, std::vector<Home>& homes);
   void add_face(const Face& face, bool stays);
-  void settle(Cube& cube);
+  void settle(const Cube& cube);
   static std::uint64_t number_of(const Brick& brick, unsigned place) noexcept {
     return std::uint64_t{brick.number} * kPlaces + place;
   }
@@ -66,7 +66,7 @@ class KnownSurface {
   Bricks bricks_;
   std::vector<KnownEdge> edges_;  ///< by vertex
   std::vector<Cube> cubes_;
-  std::unordered_map<std::uint64_t, std::uint32_t> numbers_;  ///< of cubes
+  std::unordered_map<std::uint64_t, Pattern> gone_;
 };
 
 }  // namespace deltamesh::grid
