@@ -325,7 +325,7 @@ class Rest:
         must((node, kind) in self.vertices, "GRD-11", f"the surface has no vertex of kind {kind} at {node}")
         return self.vertices[node, kind]
 
-def GRD_12_read(chunks, header, states, known):
+def GRD_12_read(chunks, header, states, known=None):
     """Faces and positions of the geometric vertices, in doubles."""
     coder = Coder(chunks["GRID"])
     count = NumberModel().decode(coder), NumberModel().decode(coder)
