@@ -15,7 +15,7 @@ endfunction()
 
 set(libraries deltamesh_decoder)
 deltamesh_install_pkgconfig(deltamesh-decoder)
-install(FILES ${headers}/decode.h ${headers}/mesh.h ${headers}/model_states.h ${headers}/result.h ${headers}/stream_info.h ${headers}/version.h
+install(FILES ${headers}/decode.h ${headers}/known_mesh.h ${headers}/mesh.h ${headers}/model_states.h ${headers}/result.h ${headers}/stream_info.h ${headers}/version.h
         DESTINATION ${header_dir})
 if(NOT DELTAMESH_DECODER_ONLY)
   list(APPEND libraries deltamesh_codec)

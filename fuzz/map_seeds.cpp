@@ -3,7 +3,7 @@
 //
 // map_seeds FOLDER: writes the seeds of maps' fuzz targets, of the present draft, below FOLDER (fuzz/corpus):
 // every kind of message, a receiver's talk with a sender, a map's message with primers, and parts by both
-// coders.
+// coders and as patches.
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -15,6 +15,7 @@
 #include "deltamesh/map/fragment.h"
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/receiver.h"
+#include "deltamesh/map/sender.h"
 #include "map/map_world.h"
 #include "targets/map/map_part_codec.h"
 
@@ -120,10 +121,43 @@ void write_parts(const std::string& folder) {
   }
 }
 
+/// A part of the same map whose newer version is a patch.
+void write_patched(const std::string& folder) {
+  MapDescription description = fuzz::make_codec().description();
+  SenderOptions options;
+  options.effort = 0;
+  options.split = {.most_triangles = 300, .most_level = 2};
+  MapSender sender = check(MapSender::make(description, options));
+  MapReceiver receiver(1, description.id);
+  receiver.set_view({.max_error = 0.002F, .color_error = 4.0F});
+  Mesh mesh = fuzz::waves(24);
+  for (double now = 1; now < 4; ++now) {
+    const std::vector<MapBlock> blocks = {{{0, 0, 0}, mesh}};
+    if (!sender.update(blocks)) std::abort();
+    for (int round = 0; round < 2; ++round) {
+      if (!sender.hear(check(receiver.view_message()), now + 0.4 * round)) std::abort();
+      for (const Bytes& message : check(sender.messages_for(1, now + 0.4 * round)))
+        if (!receiver.apply(message)) std::abort();
+    }
+    for (std::size_t i = 2; i < mesh.positions.size(); i += 3)
+      if (mesh.positions[i - 2] > 0.1F && mesh.positions[i - 1] > 0.2F) mesh.positions[i] += 0.006F;
+  }
+  int number = 0;
+  for (const HeldPart& held : receiver.held()) {
+    if (held.octets.front() != std::byte{4}) continue;  // [MAP-17]
+    Bytes seed = {std::byte{0}};
+    seed.insert(seed.end(), held.octets.begin(), held.octets.end());
+    write(folder + "/map_part/patched_" + std::to_string(number++), seed);
+    if (number == 2) break;
+  }
+  if (number == 0) std::abort();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 2) return EXIT_FAILURE;
   write_talk(argv[1]);
   write_parts(argv[1]);
+  write_patched(argv[1]);
 }

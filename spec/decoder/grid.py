@@ -5,6 +5,7 @@ from logging import debug
 from coder import Coder, Mixture, NumberModel, States, SymbolModel, bits, clamp
 from container import must, unzigzag
 from glue import CONN_8_faces
+from known import MAP_28_flag, MAP_28_gone, MAP_28_sign, MAP_29_model, NothingKnown
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
@@ -111,17 +112,19 @@ class Patterns:
 
 class Surface:
     """[GRD-3 to GRD-8] `nodes`, which are outside; `faces`; `edges`, the vertices on them; `inner`, where vertices inside cubes are."""
-    def __init__(self, coder, header, most_faces, states):
+    def __init__(self, coder, header, most_faces, states, known):
         self.coder, self.header, self.most_faces, self.width = coder, header, most_faces, 2 * header.levels
         self.nodes, self.faces, self.edges, self.inner, self.count, self.bricks = {}, [], {}, {}, 0, set()
         learnt = states.models("grid", flags=defaultdict(CountedBit), signs=defaultdict(CountedBit), patterns=Patterns())
         self.flags, self.signs, self.patterns = learnt.flags, learnt.signs, learnt.patterns
-        self.without, self.seen, self.waiting = defaultdict(lambda: [0, 0]), set(), deque()
+        self.without, self.seen, self.waiting, self.known = defaultdict(lambda: [0, 0]), set(), deque(), known
+        self.beside = {of: defaultdict(CountedBit) for of in ("flags", "signs", "gone")}  # [MAP-28]
         self.GRD_7_grow()
 
     def GRD_7_grow(self):
         size = [(cells // self.width + 17) // 16 for cells in self.header.cells]  # [GRD-1]
         must(size[0] * size[1] * size[2] < 2**32, "GRD-1", f"{size} bricks")
+        self.MAP_28_begin()
         is_seed, brick_step, place_step, brick, place = CountedBit(), NumberModel(), NumberModel(), 0, 0
         while is_seed.decode(self.coder):
             step = brick_step.decode(self.coder)
@@ -134,15 +137,29 @@ class Surface:
             must(cube not in self.seen, "GRD-7", f"cube {cube} is known")
             self.seen.add(cube)
             self.with_faces(cube)
-            while self.waiting:
-                cube = self.waiting.popleft()
-                if self.GRD_3_flag(cube):
-                    self.with_faces(cube)
+            self.those_that_wait()
+
+    def those_that_wait(self):  # GRD-7
+        while self.waiting:
+            cube = self.waiting.popleft()
+            if self.GRD_3_flag(cube):
+                self.with_faces(cube)
+
+    def MAP_28_begin(self):
+        staying = {corner_of(cube, i) for cube, kind in self.known.kinds.items() if kind & 2 for i in range(8)}
+        self.nodes = {node: self.known.states[node] for node in staying if node in self.known.states}
+        self.waiting.extend(cube for cube, kind in self.known.kinds.items() if kind & 1)
+        self.seen.update(self.waiting)
+        self.bricks.update(map(brick_of, [*staying, *self.known.kinds]))
+        self.those_that_wait()
 
     def GRD_3_flag(self, cube):
         known = sum((corner_of(cube, i) in self.nodes) << i for i in range(8))
         F, E = self.without[cube]
-        if self.flags[64 * known + 8 * F + min(E, 7)].decode(self.coder):
+        own = [corner_of(cube, i) for i in range(8)]
+        is_known = cube in self.known.kinds
+        model = self.beside["flags"][MAP_28_flag(self.known, self.nodes, own, F)] if is_known else self.flags[64 * known + 8 * F + min(E, 7)]
+        if model.decode(self.coder):
             return True
         for d in [(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]:
             apart = sum(map(abs, d))
@@ -155,7 +172,9 @@ class Surface:
     def with_faces(self, cube):  # GRD-4 to GRD-8
         """A cube that has faces."""
         signs = self.GRD_4_signs(cube)
-        pattern = self.patterns.GRD_5_pattern(self.coder, signs)
+        gone = MAP_28_gone(self.known, self.nodes, [corner_of(cube, i) for i in range(8)])
+        is_gone = gone is not None and self.beside["gone"][gone].decode(self.coder)
+        pattern = sorted(self.known.gone[cube]) if is_gone else self.patterns.GRD_5_pattern(self.coder, signs)
         used, numbers = sorted({e for triangle in pattern for e in triangle}), {}
         for e in used:  # [GRD-8]
             numbers[e] = self.count if e == INSIDE else self.edges.setdefault(edge_of(cube, e), self.count)
@@ -168,7 +187,7 @@ class Surface:
         n = self.header.geometric
         must(self.count <= n, "GRD-8", "too many vertices")
         must(len(self.faces) <= self.most_faces, "GRD-8", "too many faces")
-        must(len(self.bricks) <= min(64 + n // 16, 2**20 - 64), "GRD-8", "too many bricks")
+        must(len(self.bricks) <= min(64 + (n + self.known.count) // 16, 2**20 - 64), "GRD-8", "too many bricks")
         for axis in range(3):  # [GRD-7]
             for high in (0, 1):
                 other = moved(cube, axis, 2 * high - 1)
@@ -188,14 +207,17 @@ class Surface:
             around = [tuple(c + d for c, d in zip(own[j], (x, y, z))) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]
             sides = [self.nodes[node] for node in around if node in self.nodes and node not in own]
             M = 1 + clamp(2 * sum(sides) - len(sides), -1, 1)
-            self.nodes[own[j]] = self.signs[3 * T + M].decode(self.coder)
+            model = self.beside["signs"][MAP_28_sign(self.known, self.nodes, own, j, M)] if own[j] in self.known.states else self.signs[3 * T + M]
+            self.nodes[own[j]] = model.decode(self.coder)
             self.bricks.add(brick_of(own[j]))
         return sum(self.nodes[corner] << i for i, corner in enumerate(own))
 
 class Levels:
     """[GRD-9, GRD-10] Where vertices are on their edges: `rows`."""
     def __init__(self, coder, header, surface, states):
-        self.nodes, self.cuts, self.levels, self.rows = surface.nodes, {}, header.levels, {}
+        self.nodes, self.levels, self.rows, known, are_former = surface.nodes, header.levels, {}, surface.known, defaultdict(CountedBit)
+        former = {edge: 32 * (2 * level + 1) // self.levels - 32 for edge, level in known.levels.items()}  # [MAP-29]
+        self.cuts = {edge: cut for edge, cut in former.items() if known.kept[edge]}
         g = max(bits(self.levels - 1) - 4, 0)
         fresh = Mixture([int(h <= (self.levels - 1) >> g) for h in range(16)])
         models = states.models(("levels", self.levels), places=fresh).places
@@ -203,8 +225,9 @@ class Levels:
             (x, y, z), (bx, by, bz) = edge[1], brick_of(edge[1])
             return bz, by, bx, z, y, edge[0], x
         for k, r in sorted(surface.edges, key=place):  # [GRD-9]
-            level = 0
-            if self.levels > 1:
+            level = known.levels.get((k, r), 0)
+            is_former = self.levels == 1 or known.kept.get((k, r))  # [MAP-29]
+            if not (is_former or ((k, r) in known.levels and are_former[MAP_29_model(self.cuts, former, k, r)].decode(coder))):
                 level = coder.symbol(*models.of(*self.GRD_10_contexts(k, r)))
                 level = level << g | coder.raw(g) if g else level
                 must(level < self.levels, "GRD-9", f"level {level}")
@@ -302,14 +325,14 @@ class Rest:
         must((node, kind) in self.vertices, "GRD-11", f"the surface has no vertex of kind {kind} at {node}")
         return self.vertices[node, kind]
 
-def GRD_12_read(chunks, header, states):
+def GRD_12_read(chunks, header, states, known=None):
     """Faces and positions of the geometric vertices, in doubles."""
     coder = Coder(chunks["GRID"])
     count = NumberModel().decode(coder), NumberModel().decode(coder)
     must(count[0] <= header.triangles, "GRD-8", f"{count[0]} faces of the rest")
     must(count[1] <= 3 * count[0] + header.geometric, "GRD-8", f"{count[1]} vertices of the rest")
     must(count[1] or not (count[0] or chunks["CONN"].data), "GRD-11", "a rest without vertices")
-    surface = Surface(coder, header, header.triangles - count[0], states)
+    surface = Surface(coder, header, header.triangles - count[0], states, known or NothingKnown)
     rows, faces = Levels(coder, header, surface, states).rows | surface.inner, surface.faces
     inner = surface.inner.values()
     must(all(0 <= q <= most for row in inner for q, most in zip(row, header.cells)), "GRD-9", "a vertex beyond the lattice")

@@ -31,12 +31,12 @@ def GEO_1_round(positions):
 def decode(data):  # CNT-1
     return decode_chunks(*CNT_1_stream(data, Attribute), States())
 
-def decode_chunks(header, listed, states):  # DIR-8, HDR-7
+def decode_chunks(header, listed, states, known=None):  # DIR-8, HDR-7
     mesh, attributes = Mesh(), [chunk for chunk in listed if chunk.tag == "ATTR"]
     chunks = defaultdict(Chunk, {chunk.tag: chunk for chunk in listed})
     is_plain, seams, positions = PLN_1_is_plain(header, listed), None, None
     if header.coder == VOXELS:
-        faces, positions = GRD_12_read(chunks, header, states)
+        faces, positions = GRD_12_read(chunks, header, states, known)
     elif is_plain:
         faces, seams = PLN_2_faces(chunks["CONN"], chunks["SEAM"], header)
     else:

@@ -11,6 +11,7 @@ from coder import BitModel, Coder, NumberModel, States
 from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, HIGHPASS, Header, Reader, VOXELS, must,
                        unzigzag)
 from graph import MAP_11_ends
+from known import Known
 from mesh import decode_chunks
 from messages import MAP_1_fields
 from patches import MAP_17_part
@@ -31,10 +32,12 @@ class Map:
             self.states.append(self.decode(self.primers[-1], self.states[-1])[1])
         r.end()
 
-    def decode(self, coded, before):
-        """A part's mesh [MAP-7, MAP-11], and the models that it leaves; `before` are those that it begins with."""
+    def decode(self, coded, before, beside=None):
+        """A part's mesh [MAP-7, MAP-11], and the models that it leaves; `before` are those that it begins with; `beside`: a base and which
+        faces of it are kept, or None."""
         ((header, chunks), border), states = coded, States(before)
-        mesh = decode_chunks(header, copy.deepcopy(chunks), states)
+        known = Known(*beside, header) if beside and header.coder == VOXELS else None  # [MAP-26]
+        mesh = decode_chunks(header, copy.deepcopy(chunks), states, known)
         mesh.border = MAP_11_border(self, mesh, Coder(Reader(border)), states) if border else {}
         return mesh, states.after
 
@@ -48,18 +51,18 @@ class Map:
         seed = xxhash.xxh3_64_intdigest(struct.pack("<QBiii", self.hash, *key))
         return CNT_2_checked(octets, tag, seed, before)
 
-    def MAP_7_part(self, key, octets):
+    def MAP_7_part(self, key, octets, beside=None):
         """The mesh of a part, relative to the map's origin; `key` is (level, x, y, z)."""
         if octets[:1] == b"\4":
             return MAP_17_part(self, key, octets)
         r = Reader(self.checked(key, octets))
         if octets[0] & 1:
             must(octets[0] == 1 and octets[1] < len(self.primers) and len(octets) == 6, "MAP-7", "no primer")
-            return self.decode(self.primers[octets[1]], self.states[octets[1]])[0]
+            return self.decode(self.primers[octets[1]], self.states[octets[1]], beside)[0]
         header = PartHeader(r, self.corner(key), self.primers[-1][0][0] if self.primers else None)
         border, shapes = r.bytes(r.varint()), iter(self.attributes)
         chunks = CNT_4_chunks(r, header, lambda _: next(shapes))
-        return self.decode(((header, chunks), border), self.states[-1])[0]
+        return self.decode(((header, chunks), border), self.states[-1], beside)[0]
 
 class PartHeader(Header):
     """[MAP-7]"""

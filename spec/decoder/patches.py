@@ -33,9 +33,9 @@ def MAP_17_apply(described, key, base, base_hash, patch):
     r = Reader(described.checked(key, patch, "MAP-17", base_hash))
     plan, octets = Coder(Reader(r.bytes(r.varint()))), r.rest()
     must(octets[:1] != b"\4", "MAP-17", "the inserted part is patched")
-    inserted = described.MAP_7_part(key, octets) if octets else no_part_like(base)
-    must(base.groups is None and inserted.groups is None, "MAP-17", "groups of faces")
     stays = MAP_17_staying(plan, base.faces)
+    inserted = described.MAP_7_part(key, octets, (base, stays)) if octets else no_part_like(base)
+    must(base.groups is None and inserted.groups is None, "MAP-17", "groups of faces")
     must(any(stays), "MAP-17", "no face stays")
     kept = [face for face, stay in zip(base.faces, stays) if stay]
     joins = MAP_17_joined(plan, base, kept, inserted)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Decodes the parts of maps, made by the program of scenes and of meshes of the corpus, with the reference decoder, and compares their faces
-with those of the program's joined mesh. reference_maps.py PROGRAM [CORPUS]"""
+with those of the program's joined mesh; and parts with patches. reference_maps.py PROGRAM PATCHED_PARTS [CORPUS]"""
 import glob
 import os
 import subprocess
@@ -98,10 +98,33 @@ def compare(folder, joined):
     return count, "" if first == len(positions) else f"{first // 3} of {len(positions) // 3} faces"
 
 
+def patched_parts(program, folder):
+    """How many parts of a map that changed have patches, and which part differs, or an empty text."""
+    os.mkdir(folder)
+    subprocess.run([program, folder], check=True)
+    with open(os.path.join(folder, "map"), "rb") as file:
+        described = Map(file.read())
+    patched = 0
+    for path in sorted(glob.glob(os.path.join(folder, "*.mesh"))):
+        with open(path, "rb") as file:
+            count = int.from_bytes(file.read(4), "little")
+            positions, faces = np.frombuffer(file.read(12 * count), dtype="<f4"), np.frombuffer(file.read(), dtype="<u4")
+        with open(path[:-5], "rb") as file:
+            octets = file.read()
+        patched += octets[0] == 4
+        mesh = described.MAP_7_part(key_of(path[:-5]), octets)
+        if not np.array_equal(mesh.positions.reshape(-1), positions) or not np.array_equal(np.array(mesh.faces).reshape(-1), faces):
+            return patched, f"part {path} differs"
+    return patched, "" if patched else "no part has a patch"
+
+
 def main():
-    program, corpus = sys.argv[1], sys.argv[2:3]
+    program, patches, corpus = sys.argv[1], sys.argv[2], sys.argv[3:4]
     failed = parts = 0
     with tempfile.TemporaryDirectory() as work:
+        count, wrong = patched_parts(patches, os.path.join(work, "patched"))
+        failed += bool(wrong)
+        print(f"drive: {wrong or f'{count} parts with patches ok'}", flush=True)
         made = []
         for scene, vertices, options in MAPS:
             made.append((os.path.join(work, f"{scene}{len(made)}" + (".glb" if scene == "cad" else ".ply")), options))

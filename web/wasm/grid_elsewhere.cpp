@@ -10,7 +10,7 @@ namespace deltamesh {
 
 Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
                            std::uint32_t vertices, std::uint32_t triangles,
-                           const Learning<GridModels>& /*none*/) {
+                           const Learning<GridModels>& /*none*/, const KnownMesh* /*none*/) {
   constexpr auto kPart = web::Part::kGrid;
   web::GridCall call{.parameters = parameters, .vertices = vertices, .triangles = triangles};
   for (std::size_t k = 0; k < chunks.size(); ++k) call.chunks[k] = web::hand_over(kPart, chunks[k]);

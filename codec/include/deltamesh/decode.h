@@ -23,6 +23,7 @@ struct DecodeLimits {
   std::uint64_t attribute_bytes = std::uint64_t{1} << 31;  ///< all attribute values together
 };
 
+struct KnownMesh;   ///< deltamesh/known_mesh.h
 class ModelStates;  ///< deltamesh/model_states.h
 
 struct DecodeOptions {
@@ -33,6 +34,8 @@ struct DecodeOptions {
   unsigned threads = 1;
   /// The states that the stream was encoded with (EncodeOptions::starting_states); must outlive the call.
   const ModelStates* starting_states = nullptr;
+  /// The mesh that the stream was encoded beside (EncodeOptions::known); must outlive the call.
+  const KnownMesh* known = nullptr;
   /// Called now and then with the share of the work done, 0 to 1; may be empty.
   std::function<void(double)> progress{};
 };

@@ -33,6 +33,7 @@ enum class GeometryCoder : std::uint8_t {
   kPredictive,  ///< a lattice of positions: every vertex within half a step per axis, decoded without a solve
 };
 
+struct KnownMesh;   ///< deltamesh/known_mesh.h
 class ModelStates;  ///< deltamesh/model_states.h
 
 /// How to encode. Plain values with defaults; validate() checks ranges and contradictions.
@@ -71,6 +72,10 @@ struct EncodeOptions {
   /// Models begin as here, not fresh; must outlive the call. Decoders need the same
   /// (deltamesh/model_states.h).
   const ModelStates* starting_states = nullptr;
+  /// What decoders have already of the surface: streams of grids take fewer bytes beside it, and vertices on
+  /// an edge of the grid where one of it stays are where that is, whatever was asked. Must outlive the call;
+  /// decoders need the same.
+  const KnownMesh* known = nullptr;
   bool keep_order = false;         ///< the decoded mesh has the input's order of vertices and faces
   bool keep_unreferenced = false;  ///< keep vertices that no face uses
   /// Called now and then with the share of the work done, 0 to 1, which never falls; may be empty. If it

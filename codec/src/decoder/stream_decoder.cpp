@@ -66,8 +66,8 @@ class StreamDecoder {
     Mesh mesh;
     mesh.origin = header_.origin;
     DELTAMESH_CHECK(check_form());
-    DELTAMESH_TRY(faces_,
-                  is_plain_ ? read_plain_stream_faces(container_) : read_stream_faces(container_, learning_));
+    DELTAMESH_TRY(faces_, is_plain_ ? read_plain_stream_faces(container_)
+                                    : read_stream_faces(container_, learning_, options_.known));
     DELTAMESH_TRY(mesh.face_groups, read_groups());
     if constexpr (!kSmallCode) {  // no module hands them out
       DELTAMESH_TRY(mesh.group_names, read_names());

@@ -23,7 +23,8 @@ Result<void> check_components(const FileHeader& header, std::uint32_t count) {
 }
 
 /// What GRID, CONN and POSN hold together [GRD-*]: with the positions, which wait.
-Result<void> read_grid_faces(const Container& container, const StreamLearning& learning, StreamFaces& faces) {
+Result<void> read_grid_faces(const Container& container, const StreamLearning& learning,
+                             const KnownMesh* known, StreamFaces& faces) {
   std::array<ExpandedChunk, kGridTags.size()> expanded;
   GridChunks chunks;
   for (std::size_t k = 0; k < chunks.size(); ++k) {
@@ -32,7 +33,7 @@ Result<void> read_grid_faces(const Container& container, const StreamLearning& l
   }
   const FileHeader& header = container.header();
   DELTAMESH_TRY(auto mesh, read_grid(chunks, header.predictive, header.geometric_vertices, header.triangles,
-                                     learning.of_grid()));
+                                     learning.of_grid(), known));
   faces.triangles = std::move(mesh.triangles);
   faces.grid_positions = std::move(mesh.positions);
   return {};
@@ -69,10 +70,11 @@ Result<StreamFaces> read_plain_stream_faces(const Container& container) {
   return faces;
 }
 
-Result<StreamFaces> read_stream_faces(const Container& container, const StreamLearning& learning) {
+Result<StreamFaces> read_stream_faces(const Container& container, const StreamLearning& learning,
+                                      const KnownMesh* known) {
   const FileHeader& header = container.header();
   StreamFaces faces;
-  DELTAMESH_CHECK(is_of_grid(header) ? read_grid_faces(container, learning, faces)
+  DELTAMESH_CHECK(is_of_grid(header) ? read_grid_faces(container, learning, known, faces)
                                      : read_connected_faces(container, learning, faces));
   DELTAMESH_TRY(const auto seams, expand_single(container, kTagSeams));
   if (seams.bytes().empty() && header.vertices == header.geometric_vertices) return faces;

@@ -32,6 +32,7 @@ struct StreamFaces {
 
 /// In the plain form, or in the compact one. Errors: kInvalidStream, kLimitExceeded.
 Result<StreamFaces> read_plain_stream_faces(const Container& container);
-Result<StreamFaces> read_stream_faces(const Container& container, const StreamLearning& learning);
+Result<StreamFaces> read_stream_faces(const Container& container, const StreamLearning& learning,
+                                      const KnownMesh* known);
 
 }  // namespace deltamesh

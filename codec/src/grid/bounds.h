@@ -14,14 +14,20 @@
 
 namespace deltamesh::grid {
 
-/// A brick takes some 11 kB. Maps have 150 vertices or more in each, tenfold what is asked here.
+/// With so many vertices. A brick takes some 11 kB. Maps have 150 vertices or more in each, tenfold what is
+/// asked here.
+inline std::uint32_t most_bricks(std::size_t vertices) noexcept {
+  return static_cast<std::uint32_t>(std::min<std::size_t>(kMostBricks, 64 + vertices / 16));
+}
+
+/// `known`: so many vertices of a mesh that is known.
 inline Limits limits_of(const PredictiveParameters& parameters, std::uint32_t vertices,
-                        std::uint32_t triangles) noexcept {
+                        std::uint32_t triangles, std::size_t known = 0) noexcept {
   Limits limits{.vertices = vertices, .triangles = triangles, .voxel = 2 * parameters.levels};
   // Of all cubes with a corner that is a node of the lattice.
   for (std::size_t axis = 0; axis < 3; ++axis)
     limits.bricks[axis] = (parameters.lattice.cells[axis] / limits.voxel + kSide + 1) / kSide;
-  limits.most_bricks = std::min(kMostBricks, 64 + vertices / 16);
+  limits.most_bricks = most_bricks(vertices + known);
   return limits;
 }
 

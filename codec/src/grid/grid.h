@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "deltamesh/known_mesh.h"
 #include "deltamesh/result.h"
 #include "entropy/coder/learning.h"
 #include "format/chunk/tags.h"
@@ -40,7 +41,8 @@ struct CodedGrid {
   GridPayloads payloads;
   std::vector<std::uint32_t> triangles;     ///< m x 3: what read_grid() will return
   std::vector<std::uint32_t> vertex_order;  ///< n: input vertex of every coded vertex
-  std::vector<std::uint32_t> face_order;    ///< m: input face of every coded face
+  std::vector<Cell> surface_cells;        ///< of the first vertices, those of faces in cubes: known ones stay
+  std::vector<std::uint32_t> face_order;  ///< m: input face of every coded face
   std::vector<std::uint8_t> face_rotation;  ///< m: which corner of the input face is the coded one's corner 0
   std::uint32_t rest_triangles = 0;         ///< of `triangles`, the last ones: those in no cube
 };
@@ -48,20 +50,20 @@ struct CodedGrid {
 /// `triangles`: m x 3; `cells`: of its n vertices, on the lattice of `parameters`, which are of
 /// PositionKind::kVoxel. Nothing where the grid is too large [GRD-1], or where most faces lie in no cube.
 /// O(n + m log m).
-/// `start`: null for fresh models.
+/// `start`: null for fresh models; `known`: null, or what a reader has, of which nothing is coded again.
 std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
-                                    const PredictiveParameters& parameters,
-                                    const GridModels* start = nullptr);
+                                    const PredictiveParameters& parameters, const GridModels* start = nullptr,
+                                    const KnownMesh* known = nullptr);
 
 struct GridMesh {
   std::vector<std::uint32_t> triangles;  ///< m x 3
   std::vector<float> positions;          ///< n x 3
 };
 
-/// What write_grid() wrote, of `vertices` and `triangles` in number. Errors: kTruncated, kInvalidStream
-/// [GRD-*, CONN-*, POSN-*, CMP-3, GEO-1].
+/// What write_grid() wrote beside `known`, of `vertices` and `triangles` in number. Errors: kTruncated,
+/// kInvalidStream [GRD-*, CONN-*, POSN-*, CMP-3, GEO-1].
 Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
                            std::uint32_t vertices, std::uint32_t triangles,
-                           const Learning<GridModels>& learning = {});
+                           const Learning<GridModels>& learning = {}, const KnownMesh* known = nullptr);
 
 }  // namespace deltamesh

@@ -13,6 +13,7 @@
 
 #include "entropy/coder/held_coder.h"
 #include "grid/bricks.h"
+#include "grid/known/growth.h"
 #include "grid/models.h"
 #include "grid/pattern_coder.h"
 #include "grid/surface.h"
@@ -25,11 +26,15 @@ namespace deltamesh::grid {
 template <class Coder, class Source>
 class Growth {
  public:
-  Growth(Coder& coder, GrowthModels& models, const Source& source, const Limits& limits, Surface& surface)
-      : coder_(coder), models_(models), source_(source), limits_(limits), surface_(surface) {}
+  /// `known`: of what a reader has.
+  Growth(Coder& coder, GrowthModels& models, const Source& source, const Limits& limits, Surface& surface,
+         KnownGrowth& known)
+      : coder_(coder), models_(models), source_(source), limits_(limits), surface_(surface), known_(known) {}
 
   /// All of the surface. Null, or the rule that a stream breaks.
   const char* grow() {
+    known_.begin(surface_.bricks, waiting_);
+    code_waiting();
     for (std::size_t seed = 0;; ++seed) {
       bool is_seed = false;
       if constexpr (Coder::kWrites) {
@@ -86,7 +91,9 @@ class Growth {
     const Corners corners(brick, place);
     bool has_faces = false;
     if constexpr (Coder::kWrites) has_faces = source_.find(brick.at, place) != Source::kNone;
-    CountedBit& model = models_.flags[corners.known() << 6 | (brick.cubes[place] & Brick::kFaceless)];
+    const unsigned faceless = brick.cubes[place] & Brick::kFaceless;
+    CountedBit* const known = known_.flag_model(brick, place, corners, faceless >> 3);
+    CountedBit& model = known != nullptr ? *known : models_.flags[corners.known() << 6 | faceless];
     if (!coder.bit(has_faces, model)) return waiting_.count_faceless(brick, place);
     code_with_faces(coder, brick, place, corners);
   }
@@ -95,7 +102,8 @@ class Growth {
                                               const Corners& corners) {
     if constexpr (Coder::kWrites) cube_ = source_.find(brick.at, place);
     const Signs signs = corners.known() == 255 ? corners.outside : code_signs(coder, brick, place, corners);
-    const ListedPattern& pattern = code_pattern(coder, signs);
+    const ListedPattern* const gone = code_gone(coder, brick, place, signs);
+    const ListedPattern& pattern = gone != nullptr ? *gone : code_pattern(coder, signs);
     if constexpr (Coder::kWrites) surface_.cubes.push_back(cube_);
     surface_.add_faces(brick, place, pattern);
     if (pattern.pattern.has_inner()) [[unlikely]]
@@ -103,6 +111,19 @@ class Growth {
     if (is_too_large()) [[unlikely]]
       refuse("GRD-8");
     waiting_.add_across(brick, place, kCrossedFaces[signs]);
+  }
+
+  /// Null if the pattern is another than that of known faces that go [MAP-28].
+  [[gnu::always_inline]] const ListedPattern* code_gone(Coder& coder, const Brick& brick, unsigned place,
+                                                        Signs signs) {
+    const auto gone = known_.gone(brick, place, signs);
+    if (gone.pattern == nullptr) [[likely]]
+      return nullptr;
+    bool is_it = false;
+    if constexpr (Coder::kWrites) is_it = source_.pattern(cube_) == *gone.pattern;
+    if (!coder.bit(is_it, *gone.model)) return nullptr;
+    gone_ = ListedPattern(*gone.pattern);
+    return &gone_;
   }
 
   /// Those of the corners that are not known [GRD-4].
@@ -113,7 +134,9 @@ class Growth {
       const unsigned thirds = kThirds[corner][corners.inside] + 2U * kThirds[corner][corners.outside];
       bool is_outside = false;
       if constexpr (Coder::kWrites) is_outside = (source_.signs(cube_) >> corner & 1) != 0;
-      is_outside = coder.bit(is_outside, models_.signs[3 * thirds + window.majority(corner)]);
+      const unsigned majority = window.majority(corner);
+      CountedBit* const known = known_.sign_model(brick, place, corners, corner, majority);
+      is_outside = coder.bit(is_outside, known != nullptr ? *known : models_.signs[3 * thirds + majority]);
       corners.outside |= (is_outside ? 1U : 0U) << corner;
       corners.inside |= (is_outside ? 0U : 1U) << corner;
     }
@@ -189,6 +212,8 @@ class Growth {
   const Source& source_;
   const Limits& limits_;
   Surface& surface_;
+  KnownGrowth& known_;
+  ListedPattern gone_;
   const char* broken_ = nullptr;
   WaitingCubes waiting_{surface_.bricks};
   std::uint32_t seed_brick_ = 0;

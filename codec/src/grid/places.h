@@ -14,6 +14,7 @@
 #include "base/memory/large_vector.h"
 #include "entropy/coder/held_coder.h"
 #include "entropy/coder/symbol_models.h"
+#include "grid/known/places.h"
 #include "grid/place_context.h"
 #include "grid/surface.h"
 #include "positions/blend/blend.h"
@@ -45,7 +46,7 @@ template <class Coder>
 class PlaceCoder {
  public:
   PlaceCoder(Coder& coder, PlaceModels& models, std::uint32_t levels, Surface& surface,
-             const std::array<std::uint32_t, 3>& most)
+             const std::array<std::uint32_t, 3>& most, KnownPlaces& known)
       : coder_(coder),
         models_(models),
         levels_(static_cast<std::int32_t>(levels)),
@@ -53,6 +54,7 @@ class PlaceCoder {
         one_over_levels_((std::uint64_t{1} << kOneBits) / levels + 1),
         most_(most),
         surface_(surface),
+        known_(known),
         places_(surface.vertex_count) {}
 
   /// `cells`: a writer's are read, a reader's are made; of all vertices but those inside cubes. Null, or the
@@ -62,6 +64,7 @@ class PlaceCoder {
     for (const Brick* const brick : surface_.bricks.in_order()) {
       if (!has_cuts(*brick)) continue;
       window->load(*brick, surface_.bricks, places_);
+      known_.load(*brick, *window);
       code_brick(*brick, *window, cells);
       if (coder_.failed() || is_beyond_) break;
     }
@@ -81,6 +84,8 @@ class PlaceCoder {
   struct Row {
     const Brick& brick;
     unsigned slot;
+    int y;
+    int z;
     int index;  ///< in the window
     Cell cell;
   };
@@ -93,6 +98,8 @@ class PlaceCoder {
         if (cut == 0) continue;
         const Row row{.brick = brick,
                       .slot = row_slot(y, z),
+                      .y = y,
+                      .z = z,
                       .index = PlaceWindow::at({0, y, z}),
                       .cell = {brick.at[0] * kSide * 2 * levels_, (brick.at[1] * kSide + y) * 2 * levels_,
                                (brick.at[2] * kSide + z) * 2 * levels_}};
@@ -124,7 +131,10 @@ class PlaceCoder {
     const int index = row.index + x;
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = cells[vertex][kAxis] % (2 * levels_) / 2;
-    if (levels_ > 1) {
+    const KnownEdge* const known = known_.find(row.y, row.z, static_cast<unsigned>(x), slot, kAxis);
+    if (known != nullptr && is_known_level(coder, *known, window, index, kAxis, level)) {
+      level = static_cast<std::int32_t>(known->level);
+    } else if (levels_ > 1) {
       const PlaceSurroundings<kAxis> around(window, index);
       // -1 if the edge is seen from its other end.
       const std::int32_t turned = around.is_outside();
@@ -144,6 +154,13 @@ class PlaceCoder {
     check(cell, 0);
     if (kAxis != 0) check(cell, kAxis);
     cells[vertex] = cell;
+  }
+
+  /// A vertex that stays, or one that is where it was [MAP-29].
+  bool is_known_level(Coder& coder, const KnownEdge& known, const PlaceWindow& window, int index,
+                      unsigned axis, std::int32_t level) {
+    if (known.stays || levels_ == 1) return known.stays;
+    return coder.bit(static_cast<std::uint32_t>(level) == known.level, known_.model(window, index, axis));
   }
 
   [[gnu::always_inline]] std::int32_t code_level(Coder& coder, const PlaceContext& context,
@@ -172,6 +189,7 @@ class PlaceCoder {
   std::array<std::uint32_t, 3> most_;
   bool is_beyond_ = false;
   Surface& surface_;
+  KnownPlaces& known_;
   LargeVector<std::int8_t> places_;  ///< by vertex
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "base/broken_rule.h"
 #include "base/memory/large_vector.h"
@@ -45,12 +46,15 @@ bool place_inner(const grid::Surface& surface, const PredictiveParameters& param
 
 /// Faces in cubes, and their vertices. Null, or the rule that a stream breaks.
 const char* read_surface(CompactReader& reader, const PredictiveParameters& parameters,
-                         const grid::Limits& limits, GridModels& models, grid::Surface& surface,
-                         LargeVector<Cell>& cells) {
-  const char* rule = grid::Growth(reader, models.growth, NoSource{}, limits, surface).grow();
+                         const grid::Limits& limits, GridModels& models, const grid::KnownSurface* known,
+                         grid::Surface& surface, LargeVector<Cell>& cells) {
+  grid::KnownGrowth known_growth(known);
+  const char* rule = grid::Growth(reader, models.growth, NoSource{}, limits, surface, known_growth).grow();
   if (rule != nullptr || reader.failed()) return rule;
   cells.resize(surface.vertex_count);
-  rule = grid::PlaceCoder(reader, models.places, parameters.levels, surface, parameters.lattice.cells)
+  const auto known_places = std::make_unique<grid::KnownPlaces>(known);
+  rule = grid::PlaceCoder(reader, models.places, parameters.levels, surface, parameters.lattice.cells,
+                          *known_places)
              .code(cells);
   if (rule != nullptr || reader.failed()) return rule;
   return place_inner(surface, parameters, cells) ? nullptr : "GRD-9";
@@ -83,8 +87,13 @@ Result<void> add_rest(CompactReader& reader, std::span<const std::uint32_t> tria
 }
 
 Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameters& parameters,
-                             grid::Limits& limits, GridModels& models) {
+                             grid::Limits& limits, GridModels& models, const KnownMesh* known) {
   if (!grid::are_few(limits.bricks)) return broken("GRD-1");
+  std::optional<grid::KnownSurface> known_surface;
+  if (known != nullptr) {
+    known_surface = grid::KnownSurface::make(*known, parameters);
+    if (!known_surface) return broken("MAP-27");
+  }
   const auto& [surface_bytes, rest_faces] = chunks;
   CompactReader reader(surface_bytes);
   grid::RestModels rest_models;
@@ -106,7 +115,8 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
     };
     surface.triangles.reserve(likely(limits.triangles));
     surface.bricks.reserve(likely(limits.vertices));
-    const char* const rule = read_surface(reader, parameters, limits, models, surface, mesh.cells);
+    const char* const rule = read_surface(reader, parameters, limits, models,
+                                          known_surface ? &*known_surface : nullptr, surface, mesh.cells);
     if (rule != nullptr && !reader.failed()) return broken(rule);
   }
   mesh.triangles = surface.triangles.take();
@@ -122,10 +132,11 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
 
 Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters& parameters,
                            std::uint32_t vertices, std::uint32_t triangles,
-                           const Learning<GridModels>& learning) {
-  auto limits = grid::limits_of(parameters, vertices, triangles);
+                           const Learning<GridModels>& learning, const KnownMesh* known) {
+  auto limits =
+      grid::limits_of(parameters, vertices, triangles, known != nullptr ? known->positions.size() / 3 : 0);
   const auto models = GridModels::begin(parameters.levels, learning.start);
-  DELTAMESH_TRY(const auto read, read_cells(chunks, parameters, limits, *models));
+  DELTAMESH_TRY(const auto read, read_cells(chunks, parameters, limits, *models, known));
   if (read.cells.size() != vertices || read.triangles.size() != triangles) return broken("GRD-8");
   GridMesh mesh;
   reserve_large(mesh.triangles, 3 * read.triangles.size());

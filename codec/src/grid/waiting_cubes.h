@@ -35,11 +35,16 @@ class WaitingCubes {
     return {&bricks_[cube >> kPlaceBits], static_cast<unsigned>(cube % kPlaces)};
   }
 
+  /// If it did not wait before.
+  void add(Brick& brick, unsigned place) {
+    make_room();
+    add_waiting(brick, place);
+  }
+
   /// Those across faces of the cube at `place` of `brick`, if they did not wait before. `faces`: a bit for
   /// each.
   [[gnu::always_inline]] void add_across(Brick& brick, unsigned place, unsigned faces) {
-    if (cubes_.size() - end_ < kFaces) [[unlikely]]
-      cubes_.resize(2 * cubes_.size() + 256);
+    make_room();
     for (; faces != 0; faces &= faces - 1)
       wait_for(brick, place, static_cast<unsigned>(std::countr_zero(faces)));
   }
@@ -66,6 +71,11 @@ class WaitingCubes {
   }
 
  private:
+  [[gnu::always_inline]] void make_room() {
+    if (cubes_.size() - end_ < kFaces) [[unlikely]]
+      cubes_.resize(2 * cubes_.size() + 256);
+  }
+
   /// Number of a brick and place there.
   using CubeId = std::uint32_t;
   static constexpr unsigned kPlaceBits = 12;

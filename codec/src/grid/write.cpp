@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "entropy/coder/writer.h"
 #include "grid/bounds.h"
@@ -46,14 +47,22 @@ std::vector<Cell> in_order(std::span<const Cell> cells, std::span<const std::uin
 }  // namespace
 
 std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
-                                    const PredictiveParameters& parameters, const GridModels* start) {
+                                    const PredictiveParameters& parameters, const GridModels* start,
+                                    const KnownMesh* known) {
   const auto limits = grid::limits_of(parameters, static_cast<std::uint32_t>(cells.size()),
-                                      static_cast<std::uint32_t>(triangles.size() / 3));
+                                      static_cast<std::uint32_t>(triangles.size() / 3),
+                                      known != nullptr ? known->positions.size() / 3 : 0);
   if (!grid::are_few(limits.bricks)) return std::nullopt;
   const grid::SourceCubes source(triangles, cells, parameters.levels, limits.bricks);
   // Then other coders take fewer bytes.
   if (4 * source.left_faces().size() > triangles.size()) return std::nullopt;
   grid::SourceRest rest(triangles, static_cast<std::uint32_t>(cells.size()), source);
+  std::optional<grid::KnownSurface> known_surface;
+  if (known != nullptr) {
+    known_surface = grid::KnownSurface::make(*known, parameters);
+    if (!known_surface) return std::nullopt;
+  }
+  const grid::KnownSurface* const beside = known_surface ? &*known_surface : nullptr;
   CompactWriter writer;
   writer.reserve(6 * cells.size());
   grid::RestModels rest_models;
@@ -61,14 +70,19 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
   code_rest_size(writer, rest_size, rest_models);
   const auto models = GridModels::begin(parameters.levels, start);
   grid::Surface surface;
-  if (grid::Growth(writer, models->growth, source, limits, surface).grow() != nullptr) return std::nullopt;
+  grid::KnownGrowth known_growth(beside);
+  if (grid::Growth(writer, models->growth, source, limits, surface, known_growth).grow() != nullptr)
+    return std::nullopt;
   CodedGrid coded = in_coded_order(surface, source, triangles);
   std::vector<Cell> surface_cells = in_order(cells, coded.vertex_order);
-  grid::PlaceCoder(writer, models->places, parameters.levels, surface, parameters.lattice.cells)
+  const auto known_places = std::make_unique<grid::KnownPlaces>(beside);
+  grid::PlaceCoder(writer, models->places, parameters.levels, surface, parameters.lattice.cells,
+                   *known_places)
       .code(surface_cells);
   if (rest_size.vertices > 0)
     rest.write(writer, rest_models, {surface, surface_cells, parameters.levels}, cells, parameters, coded);
   coded.payloads.surface = writer.finish();
+  coded.surface_cells = std::move(surface_cells);
   return coded;
 }
 

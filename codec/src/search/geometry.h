@@ -10,9 +10,9 @@
 namespace deltamesh {
 
 /// The smallest candidate that keeps the request, or the best that fits its bytes. Where the request leaves
-/// the coder open and asks for a VDE, both are compared, unless a forecast says that one cannot win; otherwise
-/// the predictive coder is taken. Errors: kUnmetRequest; kInvalidMesh for coordinates that no stream
-/// can hold.
+/// the coder open and asks for a VDE, both are compared, unless a forecast says that one cannot win;
+/// otherwise the predictive coder is taken. Errors: kUnmetRequest; kInvalidMesh for coordinates that no
+/// stream can hold.
 Result<Candidate> code_geometry(const Request& request, const SourceGeometry& source, const StreamRest& rest);
 
 }  // namespace deltamesh

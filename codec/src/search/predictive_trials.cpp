@@ -151,10 +151,14 @@ PredictiveTrials::WritePositions PredictiveTrials::writer(const LatticeTrial& tr
 std::optional<Candidate> PredictiveTrials::code_in_cubes(const LatticeTrial& trial) const {
   if (request_.progress != nullptr) request_.progress->tick();
   auto grid = write_grid(source_.triangles, trial.cells, trial.parameters,
-                         request_.start != nullptr ? request_.start->grid.get() : nullptr);
+                         request_.start != nullptr ? request_.start->grid.get() : nullptr, request_.known);
   if (!grid) return std::nullopt;
   Candidate candidate = shell(trial);
   candidate.positions = rows_in_order(candidate.positions, grid->vertex_order);
+  if (request_.known != nullptr) {
+    const auto rows = to_rows(to_positions(grid->surface_cells, trial.parameters.lattice));
+    std::copy(rows.begin(), rows.end(), candidate.positions.begin());
+  }
   candidate.chunks = ChunkList(request_.profile, request_.effort);
   candidate.chunks.add(kTagGrid, std::exchange(grid->payloads.surface, {}));
   candidate.chunks.add(kTagConnectivity, std::exchange(grid->payloads.rest_faces, {}));

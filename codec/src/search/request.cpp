@@ -148,7 +148,8 @@ Result<Request> make_request(const EncodeOptions& options, const SourceGeometry&
                   .profile = options.profile,
                   .effort = options.effort,
                   .containers = options.anchor_containers ? options.anchor_containers.get() : nullptr,
-                  .start = options.starting_states != nullptr ? &options.starting_states->models() : nullptr};
+                  .start = options.starting_states != nullptr ? &options.starting_states->models() : nullptr,
+                  .known = options.known};
   // Of what nobody asked for, as much as the source's own error allows.
   const auto but = [&](double bound) { return std::max(bound - options.source_error, bound / 2); };
   const bool keeps = take_off(request.bounds.vde, 2 * options.source_error) &&

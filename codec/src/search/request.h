@@ -69,6 +69,7 @@ struct Request {
   int effort = 1;
   AnchorContainers* containers = nullptr;  ///< may be null
   const StreamModels* start = nullptr;     ///< null for fresh models
+  const KnownMesh* known = nullptr;        ///< null: nothing is known
   Progress* progress = nullptr;            ///< may be null
   /// Attributes cost less on positions that decoders know to the bit, those of the predictive coder.
   bool attributes_use_positions = false;

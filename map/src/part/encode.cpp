@@ -72,10 +72,12 @@ struct PartCandidate {
 
 class PartEncoder {
  public:
-  PartEncoder(const MapCodec::State& state, const MapPart& part, const PartQuality& quality)
+  PartEncoder(const MapCodec::State& state, const MapPart& part, const PartQuality& quality,
+              const JoinedTo* joined)
       : state_(state),
         part_(part),
         quality_(quality),
+        joined_(joined),
         measure_(part.mesh),
         rounded_(with_border_colors(part, quality.attributes)),
         source_(rounded_) {
@@ -88,6 +90,7 @@ class PartEncoder {
   /// have to be better than asked.
   Result<DecodedPart> run() {
     EncodeOptions options = options_for(quality_);
+    options.known = known();
     Bracket bracket({.first = 1,
                      .least = kFinestShare,
                      .most = 1,
@@ -136,7 +139,7 @@ class PartEncoder {
   /// `primer`: which one `encoded` is, if any. No bytes where the border is not the primer's.
   Result<PartCandidate> finish(Encoded encoded, std::optional<std::size_t> primer) {
     const CodecModels& models = primer ? state_.models[*primer] : state_.models.back();
-    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start()}));
+    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start(), .known = known()}));
     auto border = border_in_order(part_, encoded.order);
     const MapLattice& lattice = state_.description.lattice;
     DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice));
@@ -151,7 +154,7 @@ class PartEncoder {
       DELTAMESH_TRY(candidate.result.coded.bytes, write_part(place, encoded.bytes, payload));
     }
     place_border(decoded, border, lattice, view.follows);
-    candidate.result.coded.quality = measure_.compare(decoded.positions, encoded.order);
+    candidate.result.coded.quality = measure(decoded, encoded.order);
     candidate.load = bounds_.load(candidate.result.coded.quality);
     for (std::size_t i = 0; i < decoded.attributes.size(); ++i)
       candidate.result.coded.attribute_errors.push_back(
@@ -165,6 +168,17 @@ class PartEncoder {
     return candidate;
   }
 
+  Quality measure(const Mesh& decoded, std::span<const std::uint32_t> order) const {
+    if (joined_ == nullptr) return measure_.compare(decoded.positions, order);
+    std::vector<float> positions = decoded.positions;
+    for (std::size_t v = 0; v < order.size(); ++v)
+      for (std::size_t k = 0; joined_->is_joined[order[v]] != 0 && k < 3; ++k)
+        positions[3 * v + k] = part_.mesh.positions[3 * std::size_t{order[v]} + k];
+    return measure_.compare(positions, order);
+  }
+
+  const KnownMesh* known() const noexcept { return joined_ != nullptr ? &joined_->mesh : nullptr; }
+
   static QualityRequest scaled(QualityRequest request, double share) noexcept {
     for (auto* bound : {&request.vde, &request.lfe, &request.max_error})
       if (*bound) (*bound)->value *= share;
@@ -174,6 +188,7 @@ class PartEncoder {
   const MapCodec::State& state_;
   const MapPart& part_;
   const PartQuality& quality_;
+  const JoinedTo* joined_;
   PartMeasure measure_;
   Mesh rounded_;
   MeshView source_;
@@ -200,13 +215,13 @@ Result<MapPrimer> make_primer(const MapCodec& codec, const MapPart& part, const 
   return MapPrimer{std::move(encoded.bytes), std::move(coded)};
 }
 
-Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part,
-                                const PartQuality& quality) {
+Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part, const PartQuality& quality,
+                                const JoinedTo* joined) {
   if (quality.bounds.target_bytes)
     return Error{.code = ErrorCode::kInvalidArgument,
                  .message = "a part cannot be asked for a number of bytes"};
   DELTAMESH_CHECK(check_part(part, state.description));
-  DELTAMESH_TRY(DecodedPart result, PartEncoder(state, part, quality).run());
+  DELTAMESH_TRY(DecodedPart result, PartEncoder(state, part, quality, joined).run());
   if (result.coded.bytes.size() > kMostPartBytes)
     return Error{.code = ErrorCode::kLimitExceeded,
                  .message = "a part of more than 65536 bytes; split the map into smaller ones",

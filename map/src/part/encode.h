@@ -5,8 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "deltamesh/known_mesh.h"
 #include "deltamesh/map/part.h"
 #include "deltamesh/result.h"
 #include "part/codec_state.h"
@@ -19,8 +21,15 @@ struct DecodedPart {
   std::vector<std::uint32_t> order;  ///< the source's vertex for each of its vertices
 };
 
-/// As MapCodec::encode().
-Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part,
-                                const PartQuality& quality);
+/// What the part is added to.
+struct JoinedTo {
+  KnownMesh mesh;                           ///< the base [MAP-17]
+  std::span<const std::uint8_t> is_joined;  ///< 1 for vertices of the part that are vertices of that, else 0
+};
+
+/// As MapCodec::encode(). `joined`: null for a part that is whole. Of vertices that are joined no error
+/// counts.
+Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part, const PartQuality& quality,
+                                const JoinedTo* joined = nullptr);
 
 }  // namespace deltamesh

@@ -44,7 +44,11 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
   DecodedPart inserted;
   if (!match.new_faces.empty()) {
     const MapPart part = new_part(source, match, rows);
-    DELTAMESH_TRY(inserted, encode_part(state, part, quality));
+    std::vector<std::uint8_t> is_joined;
+    for (const std::uint32_t row : rows) is_joined.push_back(match.base_of[row] != kNotJoined ? 1 : 0);
+    const Mesh& known = base.part.mesh;
+    const JoinedTo joined{{known.positions, known.triangles, match.stays}, is_joined};
+    DELTAMESH_TRY(inserted, encode_part(state, part, quality, &joined));
   }
   PatchPlan plan{.stays = match.stays, .joins = {}};
   DecodedPart patched;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/try.h"
+#include "deltamesh/known_mesh.h"
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
 #include "patch/container.h"
@@ -18,13 +19,15 @@ namespace deltamesh {
 namespace {
 
 Result<MapPart> decode_whole(const MapCodec::State& state, const PartKey& key,
-                             std::span<const std::byte> octets, const DecodeOptions& options) {
+                             std::span<const std::byte> octets, const DecodeOptions& options,
+                             const KnownMesh* known = nullptr) {
   DELTAMESH_TRY(const OpenedPart opened, open_part(state.place_of(key), octets));
   MapPart part;
   part.key = key;
   const CodecModels& models = opened.primer ? state.models[*opened.primer] : state.models.back();
   DecodeOptions of_stream = options;
   of_stream.starting_states = models.start();
+  of_stream.known = known;
   DELTAMESH_TRY(part.mesh, decode(opened.stream, of_stream));
   const MapLattice& lattice = state.description.lattice;
   DELTAMESH_TRY(const BorderView view, view_border(opened.stream, part.mesh, lattice));
@@ -40,13 +43,15 @@ Result<MapPart> apply_patch(const MapCodec::State& state, const PartKey& key, co
                             std::uint64_t base_hash, std::span<const std::byte> body,
                             const DecodeOptions& options) {
   DELTAMESH_TRY(const PatchBody opened, open_body(state.place_of(key), base_hash, body));
+  PatchPlanReader plan_reader(opened.plan, base.mesh);
+  const KnownMesh known{base.mesh.positions, base.mesh.triangles, plan_reader.stays()};
   MapPart inserted;
   if (!opened.inserted.empty()) {
-    DELTAMESH_TRY(inserted, decode_whole(state, key, opened.inserted, options));
+    DELTAMESH_TRY(inserted, decode_whole(state, key, opened.inserted, options, &known));
   }
   if (!base.mesh.face_groups.empty() || !inserted.mesh.face_groups.empty())
     return broken_patch("a patch with groups of faces");
-  DELTAMESH_TRY(const PatchPlan plan, read_patch_plan(opened.plan, base.mesh, inserted.mesh));
+  DELTAMESH_TRY(const PatchPlan plan, plan_reader.finish(inserted.mesh));
   return put_together(key, base, inserted, plan);
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/try.h"
-#include "entropy/coder/reader.h"
 #include "entropy/coder/writer.h"
 #include "patch/coder.h"
 #include "support/errors.h"
@@ -57,17 +56,18 @@ std::vector<std::byte> write_patch_plan(const Mesh& base, const Mesh& inserted, 
   return writer.finish();
 }
 
-Result<PatchPlan> read_patch_plan(std::span<const std::byte> bytes, const Mesh& base, const Mesh& inserted) {
-  CompactReader reader(bytes);
-  PatchModels models;
-  PatchPlan plan;
-  code_staying(reader, models, base, plan.stays);
-  const auto staying = staying_triangles(base, plan.stays);
-  if (!JoinCoder(reader, models, base, staying, inserted).code(plan.joins) && !reader.failed())
+PatchPlanReader::PatchPlanReader(std::span<const std::byte> bytes, const Mesh& base)
+    : reader_(bytes), base_(base) {
+  code_staying(reader_, models_, base, plan_.stays);
+}
+
+Result<PatchPlan> PatchPlanReader::finish(const Mesh& inserted) {
+  const auto staying = staying_triangles(base_, plan_.stays);
+  if (!JoinCoder(reader_, models_, base_, staying, inserted).code(plan_.joins) && !reader_.failed())
     return broken_patch("a vertex joined to what is no free vertex of the base");
-  DELTAMESH_CHECK(reader.finish(0));
+  DELTAMESH_CHECK(reader_.finish(0));
   if (staying.empty()) return broken_patch("a patch of a base of which no face stays");
-  return plan;
+  return std::move(plan_);
 }
 
 std::vector<std::uint32_t> staying_vertices(const Mesh& base, const PatchPlan& plan) {

@@ -193,7 +193,8 @@ TEST(Grid, GRD8RefusesTooManyBricks) {
   code_rest_size(writer, rest, rest_models);
   const auto models = std::make_unique<grid::GrowthModels>();
   grid::Surface surface;
-  ASSERT_EQ(grid::Growth(writer, *models, source, limits, surface).grow(), nullptr);
+  grid::KnownGrowth known(nullptr);
+  ASSERT_EQ(grid::Growth(writer, *models, source, limits, surface, known).grow(), nullptr);
   const auto back = read(mesh, {.surface = writer.finish(), .rest_faces = {}});
   ASSERT_FALSE(back);
   EXPECT_STREQ(back.error().rule, "GRD-8");

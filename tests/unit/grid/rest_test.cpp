@@ -32,7 +32,8 @@ struct Written {
     const grid::SourceCubes source(mesh.triangles, mesh.cells, levels, limits.bricks);
     CompactWriter writer;
     const auto models = std::make_unique<grid::GrowthModels>();
-    EXPECT_EQ(grid::Growth(writer, *models, source, limits, surface).grow(), nullptr);
+    grid::KnownGrowth known(nullptr);
+    EXPECT_EQ(grid::Growth(writer, *models, source, limits, surface, known).grow(), nullptr);
     cells.resize(surface.vertex_count);
     std::size_t next = 0;
     for (const std::uint32_t cube : surface.cubes) {

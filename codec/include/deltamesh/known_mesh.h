@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// What a decoder has already of the surface that a stream adds to.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace deltamesh {
+
+/// A mesh that encoder and decoder have, such as the version of a map's part before the present one. Streams
+/// of grids take fewer bytes beside it. Some of its faces stay next to those of the stream.
+struct KnownMesh {
+  std::span<const float> positions;          ///< n x 3, finite
+  std::span<const std::uint32_t> triangles;  ///< m x 3, below n
+  std::span<const std::uint8_t> stays;       ///< m: 1 or 0
+};
+
+}  // namespace deltamesh

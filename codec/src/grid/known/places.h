@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// Where a known surface cuts edges, around a brick of a newer one [MAP-29].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "entropy/coder/counted_bit.h"
+#include "grid/known/surface.h"
+#include "grid/place_window.h"
+
+namespace deltamesh::grid {
+
+class KnownPlaces {
+ public:
+  /// `surface`: null where nothing is known.
+  explicit KnownPlaces(const KnownSurface* surface) noexcept : surface_(surface) {}
+
+  /// `window`: loaded with `brick`; the places of vertices that stay are known in it afterwards.
+  void load(const Brick& brick, PlaceWindow& window) {
+    if (surface_ == nullptr) return;
+    cuts_.fill(PlaceWindow::kNoPlace);
+    own_ = surface_->bricks().find(brick.at);
+    for (unsigned way = 0; way < 27; ++way) {
+      const Spot step = {static_cast<int>(way % 3) - 1, static_cast<int>(way / 3 % 3) - 1,
+                         static_cast<int>(way / 9) - 1};
+      const Bricks::Place at = {brick.at[0] + step[0], brick.at[1] + step[1], brick.at[2] + step[2]};
+      if (const Brick* const known = surface_->bricks().find(at); known != nullptr)
+        load_brick(*known, {step[0] * kSide, step[1] * kSide, step[2] * kSide}, window);
+    }
+  }
+
+  /// Of an edge of the brick; null if it has no known vertex.
+  const KnownEdge* find(int y, int z, unsigned x, unsigned slot, unsigned axis) const noexcept {
+    const bool is_known = own_ != nullptr &&
+                          (own_->cut[static_cast<std::size_t>(y + kSide * z)] & Brick::cut_bit(x, axis)) != 0;
+    return is_known ? &surface_->edge(*own_, slot, axis) : nullptr;
+  }
+
+  /// Whether the level of the edge at `index` of `window` is the known one: by how many around have moved.
+  CountedBit& model(const PlaceWindow& window, int index, unsigned axis) noexcept {
+    std::array<unsigned, 2> count{};
+    const auto look = [&](unsigned k, int at) {
+      const std::int8_t now = window.places(k)[at];
+      const std::int8_t before = cuts_[k * PlaceWindow::kSize + static_cast<std::size_t>(at)];
+      if (now != PlaceWindow::kNoPlace && before != PlaceWindow::kNoPlace) ++count[now == before ? 1 : 0];
+    };
+    for (const unsigned k : {(axis + 1) % 3, (axis + 2) % 3}) {
+      const int step = PlaceWindow::kStep[k];
+      for (const int at : {index - step, index + step}) look(axis, at);
+      for (const int at : {index, index + PlaceWindow::kStep[axis]}) {
+        look(k, at - step);
+        look(k, at);
+      }
+    }
+    return models_[4 * std::min(count[0], 3U) + std::min(count[1], 3U)];
+  }
+
+ private:
+  void load_brick(const Brick& known, const Spot& shift, PlaceWindow& window) {
+    constexpr int kEnd = kSide + PlaceWindow::kAround;
+    const auto is_near = [](int x) { return x >= -PlaceWindow::kAround && x < kEnd; };
+    for (int z = 0; z < kSide; ++z) {
+      for (int y = 0; y < kSide; ++y) {
+        if (!is_near(y + shift[1]) || !is_near(z + shift[2])) continue;
+        for (std::uint64_t bits = known.cut[static_cast<std::size_t>(y + kSide * z)]; bits != 0;
+             bits &= bits - 1) {
+          const int bit = std::countr_zero(bits);
+          const int x = bit % kSide;
+          if (!is_near(x + shift[0])) continue;
+          const auto axis = static_cast<unsigned>(bit / kSide);
+          const KnownEdge& edge =
+              surface_->edge(known, row_slot(y, z) + kSlots[0][static_cast<std::size_t>(x)], axis);
+          const int at = PlaceWindow::at({x + shift[0], y + shift[1], z + shift[2]});
+          cuts_[axis * PlaceWindow::kSize + static_cast<std::size_t>(at)] = edge.cut;
+          if (edge.stays && window.places(axis)[at] == PlaceWindow::kNoPlace) window.set(axis, at, edge.cut);
+        }
+      }
+    }
+  }
+
+  const KnownSurface* surface_;
+  const Brick* own_ = nullptr;
+  std::array<std::int8_t, 3 * PlaceWindow::kSize> cuts_;  ///< as in PlaceWindow
+  std::array<CountedBit, 16> models_;
+};
+
+}  // namespace deltamesh::grid

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "grid/known/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "grid/bounds.h"
+#include "grid/cube/cube.h"
+#include "grid/window.h"
+
+namespace deltamesh::grid {
+namespace {
+
+using Node = std::array<std::int32_t, 3>;
+constexpr unsigned kNoAxis = 3;
+
+Bricks::Place brick_of(const Node& node) noexcept { return {node[0] >> 4, node[1] >> 4, node[2] >> 4}; }
+Spot spot_in_brick(const Node& node) noexcept { return {node[0] & 15, node[1] & 15, node[2] & 15}; }
+
+/// Twice the coordinates of an edge's middle in its cube.
+Node middle_of(unsigned edge) noexcept {
+  Node middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    middle[axis] = 2 * static_cast<std::int32_t>(first_corner(edge) >> axis & 1);
+  middle[edge / 4] = 1;
+  return middle;
+}
+
+}  // namespace
+
+/// Of a vertex: the edge that it is on.
+struct KnownSurface::Home {
+  Node node{};
+  unsigned axis = kNoAxis;
+  std::uint32_t level = 0;
+
+  static Home of(const float* position, const PredictiveParameters& parameters) noexcept {
+    const PositionLattice& lattice = parameters.lattice;
+    const double voxel = 2.0 * parameters.levels;
+    Home home;
+    std::array<double, 3> at{};
+    std::array<double, 3> off{};  // from the nearest plane of nodes
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] =
+          (double{position[k]} - lattice.origin[k]) / lattice.step[k] - static_cast<double>(lattice.first[k]);
+      if (!(at[k] >= -0.5 && at[k] <= lattice.cells[k] + 0.5)) return {};
+      const double nearest = std::floor(at[k] / voxel + 0.5);
+      off[k] = std::abs(at[k] - voxel * nearest);
+      home.node[k] = static_cast<std::int32_t>(nearest);
+    }
+    const auto axis = static_cast<unsigned>(std::max_element(off.begin(), off.end()) - off.begin());
+    for (unsigned k = 0; k < 3; ++k)
+      if (k != axis && off[k] > voxel / 8) return {};
+    const double first = std::floor(std::max(at[axis], 0.0) / voxel);
+    home.node[axis] = static_cast<std::int32_t>(first);
+    home.axis = axis;
+    home.level = static_cast<std::uint32_t>(
+        std::clamp(std::floor((at[axis] - voxel * first) / 2), 0.0, voxel / 2 - 1));
+    return home;
+  }
+};
+
+/// With its three corners on different edges of one cube.
+struct KnownSurface::Face {
+  Node lowest{};
+  Triangle edges{};
+
+  static std::optional<Face> of(const std::array<const Home*, 3>& corners) noexcept {
+    Face face;
+    face.lowest.fill(std::numeric_limits<std::int32_t>::min());
+    for (const Home* const home : corners) {
+      if (home->axis == kNoAxis) return std::nullopt;
+      for (unsigned k = 0; k < 3; ++k)
+        face.lowest[k] = std::max(face.lowest[k], home->node[k] - (k != home->axis ? 1 : 0));
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Home& home = *corners[c];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (home.node[k] < face.lowest[k]) return std::nullopt;
+      const auto step = [&](unsigned axis) {
+        return static_cast<unsigned>(home.node[axis % 3] - face.lowest[axis % 3]);
+      };
+      face.edges[c] =
+          static_cast<std::uint8_t>(4 * home.axis + step(home.axis + 1) + 2 * step(home.axis + 2));
+    }
+    const auto& [a, b, c] = face.edges;
+    return a == b || b == c || c == a ? std::nullopt : std::optional(face);
+  }
+
+  /// Above 0 if the face looks along the axis of its corner's edge.
+  int way_at(std::size_t corner) const noexcept {
+    const Node a = middle_of(edges[0]);
+    const Node b = middle_of(edges[1]);
+    const Node c = middle_of(edges[2]);
+    const std::size_t i = (edges[corner] / 4 + 1) % 3;
+    const std::size_t j = (edges[corner] / 4 + 2) % 3;
+    return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+  }
+};
+
+std::optional<KnownSurface> KnownSurface::make(const KnownMesh& mesh,
+                                               const PredictiveParameters& parameters) {
+  std::optional<KnownSurface> surface(std::in_place);
+  const std::uint32_t most = most_bricks(mesh.positions.size() / 3);
+  std::vector<Home> homes;
+  if (!surface->add_vertices(mesh, parameters, homes)) return std::nullopt;
+  for (std::size_t f = 0; f < mesh.stays.size(); ++f) {
+    const auto corner = [&](std::size_t c) { return &homes[mesh.triangles[3 * f + c]]; };
+    if (const auto face = Face::of({corner(0), corner(1), corner(2)}))
+      surface->add_face(*face, mesh.stays[f] != 0);
+    if (surface->bricks_.count() > most) return std::nullopt;
+  }
+  for (const Cube& cube : surface->cubes_) surface->settle(cube);
+  for (auto& [cube, gone] : surface->gone_) gone.sort();
+  return surface;
+}
+
+/// False where there are too many bricks.
+bool KnownSurface::add_vertices(const KnownMesh& mesh, const PredictiveParameters& parameters,
+                                std::vector<Home>& homes) {
+  const std::size_t count = mesh.positions.size() / 3;
+  edges_.resize(count);
+  homes.reserve(count);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (mesh.stays[i / 3] != 0) edges_[mesh.triangles[i]].stays = true;
+  for (std::uint32_t v = 0; v < count; ++v) {
+    const Home& home = homes.emplace_back(Home::of(&mesh.positions[3 * std::size_t{v}], parameters));
+    if (home.axis == kNoAxis) continue;
+    edges_[v].level = home.level;
+    edges_[v].cut = static_cast<std::int8_t>(
+        static_cast<int>(32 * (2 * std::uint64_t{home.level} + 1) / parameters.levels) - 32);
+    Brick& brick = bricks_.get(brick_of(home.node));
+    const Spot spot = spot_in_brick(home.node);
+    std::uint32_t& vertex = bricks_.vertex(
+        brick, kSlots[0][static_cast<std::size_t>(spot[0])] + row_slot(spot[1], spot[2]), home.axis);
+    if (vertex == kNoVertex || (edges_[v].stays && !edges_[vertex].stays)) vertex = v;
+    brick.cut[static_cast<std::size_t>(spot[1] + kSide * spot[2])] |=
+        Brick::cut_bit(static_cast<unsigned>(spot[0]), home.axis);
+    if (bricks_.count() > most_bricks(count)) return false;
+  }
+  return true;
+}
+
+void KnownSurface::add_face(const Face& face, bool stays) {
+  Brick& brick = bricks_.get(brick_of(face.lowest));
+  const unsigned place = place_of(spot_in_brick(face.lowest));
+  if (brick.cubes[place] == 0) cubes_.push_back({&brick, place});
+  brick.cubes[place] = static_cast<std::uint8_t>(brick.cubes[place] | (stays ? kStays : kGoes));
+  if (!stays) {
+    Pattern& gone = gone_[number_of(brick, place)];
+    if (gone.triangles().size() < Pattern::kMostTriangles) gone.add(face.edges);
+  }
+  const Corners known(brick, place);
+  Signs outside = known.outside;
+  Signs inside = known.inside;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const int way = face.way_at(c);
+    if (way == 0) continue;
+    unsigned in = 1U << first_corner(face.edges[c]);
+    unsigned out = 1U << last_corner(face.edges[c]);
+    if (way < 0) std::swap(in, out);
+    inside |= in & ~outside;
+    outside |= out & ~inside;
+  }
+  bricks_.set_corners(brick, place, outside, inside);
+}
+
+/// Corners that no face tells of are on the side of those along edges that are not cut.
+void KnownSurface::settle(const Cube& cube) {
+  Brick& brick = *cube.brick;
+  const unsigned over = beyond(cube.place);
+  const Spot spot = spot_of(cube.place);
+  Corners known(brick, cube.place);
+  if (known.known() == 255) return;
+  const auto is_cut = [&](unsigned edge) {
+    const unsigned corner = first_corner(edge);
+    const auto at = [&](unsigned axis) {
+      return (static_cast<unsigned>(spot[axis]) + (corner >> axis & 1)) & 15;
+    };
+    return (Bricks::brick_of(brick, over, corner).cut[at(1) + kSide * at(2)] &
+            Brick::cut_bit(at(0), edge / 4)) != 0;
+  };
+  for (unsigned round = 0; round < kCorners && known.known() != 255; ++round) {
+    for (unsigned edge = 0; edge < kEdges; ++edge) {
+      const unsigned ends = 1U << first_corner(edge) | 1U << last_corner(edge);
+      if (is_cut(edge) || (known.known() & ends) == ends) continue;
+      if ((known.outside & ends) != 0) known.outside |= ends;
+      if ((known.inside & ends) != 0) known.inside |= ends;
+    }
+  }
+  bricks_.set_corners(brick, cube.place, known.outside, known.inside);
+}
+
+}  // namespace deltamesh::grid

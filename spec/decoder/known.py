@@ -1,0 +1,105 @@
+"""What an inserted part with voxel edges knows of the base: map.md, MAP-26 to MAP-29. Nodes, cubes and edges are those of grid.py."""
+import math
+from collections import defaultdict
+
+from coder import clamp
+from container import must
+
+CORNERS = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
+EDGES = [(first, first | 1 << k, k) for k in range(3) for a, b in ((0, 0), (1, 0), (0, 1), (1, 1))
+         for first in [a << (k + 1) % 3 | b << (k + 2) % 3]]
+
+def plus(node, step):  # MAP-27
+    return tuple(x + y for x, y in zip(node, step))
+
+class NothingKnown:  # MAP-26
+    """A mesh that is not beside a base."""
+    kinds, states, levels, kept, gone, count = {}, {}, {}, {}, {}, 0
+
+class Known:
+    """[MAP-26, MAP-27] Of the base, on the grid of the part: `levels` and `kept`, of edges; `kinds` of cubes and their `gone` faces; former `states` of nodes."""
+    def __init__(self, mesh, stays, header):
+        self.kinds, self.states, self.levels, self.kept, self.gone = {}, {}, {}, {}, defaultdict(list)
+        self.count = len(mesh.positions)
+        self.homes = [self.MAP_26_home(position, header) for position in mesh.positions.tolist()]
+        of_kept = {v for face, stay in zip(mesh.faces, stays) if stay for v in face}
+        for v, (edge, level) in enumerate(self.homes):
+            if edge and (edge not in self.levels or (v in of_kept and not self.kept[edge])):
+                self.levels[edge], self.kept[edge] = level, v in of_kept
+        for face, stay in zip(mesh.faces, stays):
+            self.MAP_27_face([self.homes[v][0] for v in face], stay)
+        bricks = {tuple(x >> 4 for x in node) for node in [r for _, r in self.levels] + [plus(c, i) for c in self.kinds for i in CORNERS]}
+        must(len(bricks) <= min(64 + self.count // 16, 2**20 - 64), "MAP-27", "too many bricks of the base")
+        for cube in self.kinds:
+            for first, last, k in EDGES * 8:
+                a, b = plus(cube, CORNERS[first]), plus(cube, CORNERS[last])
+                if (k, a) not in self.levels and (a in self.states) != (b in self.states):
+                    self.states[a] = self.states[b] = self.states.get(a, self.states.get(b))
+
+    def MAP_26_home(self, position, header):
+        """Edge and level of a vertex, or nothing."""
+        w = 2 * header.levels
+        u = [(x - o) / s - f for x, o, s, f in zip(position, header.lattice_origin, header.steps, header.first)]
+        if not all(-0.5 <= x <= cells + 0.5 for x, cells in zip(u, header.cells)):
+            return None, 0
+        node = [math.floor(x / w + 0.5) for x in u]
+        off = [abs(x - w * r) for x, r in zip(u, node)]
+        k = off.index(max(off))
+        if any(off[a] > w / 8 for a in range(3) if a != k):
+            return None, 0
+        node[k] = math.floor(max(u[k], 0) / w)
+        return (k, tuple(node)), clamp(math.floor((u[k] - w * node[k]) / 2), 0, header.levels - 1)
+
+    def MAP_27_face(self, edges, stay):
+        if None in edges or len(set(edges)) < 3:
+            return
+        cube = tuple(max(r[a] - (a != k) for k, r in edges) for a in range(3))
+        if any(r[a] < cube[a] for _, r in edges for a in range(3)):
+            return
+        self.kinds[cube] = self.kinds.get(cube, 0) | (2 if stay else 1)
+        numbers = [4 * k + r[(k + 1) % 3] - cube[(k + 1) % 3] + 2 * (r[(k + 2) % 3] - cube[(k + 2) % 3]) for k, r in edges]
+        if not stay and len(self.gone[cube]) < 15:
+            self.gone[cube].append(min((tuple(numbers[i:] + numbers[:i]) for i in range(3)), key=lambda turn: turn[0]))
+        a, b, c = ([2 * x + (axis == k) for axis, x in enumerate(r)] for k, r in edges)
+        for k, r in edges:
+            i, j = (k + 1) % 3, (k + 2) % 3
+            n = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i])
+            if n:
+                first, last = r, tuple(x + (axis == k) for axis, x in enumerate(r))
+                inside, outside = (first, last) if n > 0 else (last, first)
+                self.states.setdefault(inside, 0)
+                self.states.setdefault(outside, 1)
+
+def MAP_28_wrong(known, nodes, own):
+    return min(sum(node in nodes and nodes[node] != known.states.get(node, nodes[node]) for node in own), 3)
+
+def MAP_28_flag(known, nodes, own, F):
+    """The model of a cube with a kind; `own`: its corners."""
+    now = [nodes[node] for node in own if node in nodes]
+    mixed, count = len(set(now)) == 2, 2 if len(now) == 8 else min(len(now), 1)
+    return ((((known.kinds[own[0]] - 1) * 4 + MAP_28_wrong(known, nodes, own)) * 2 + mixed) * 3 + count) * 4 + min(F, 3)
+
+def MAP_28_sign(known, nodes, own, j, M):
+    """The model of a corner with a former state."""
+    beside = [nodes[own[j ^ t]] for t in (1, 2, 4) if own[j ^ t] in nodes]
+    index = (3 * MAP_28_wrong(known, nodes, own) + M) * 16 + 4 * sum(beside) + len(beside) - sum(beside)
+    return 2 * index + known.states[own[j]]
+
+def MAP_28_gone(known, nodes, own):
+    """The model of whether the pattern is that of the base's faces that go, or None."""
+    if known.kinds.get(own[0], 0) & 1 and all(node in known.states for node in own):
+        return any(nodes[node] != known.states[node] for node in own) + (known.kinds[own[0]] & 2)
+    return None
+
+def MAP_29_model(cuts, former, k, r):
+    """The model of whether a level is the former one."""
+    def at(axis, node):
+        return cuts.get((axis, node)), former.get((axis, node))
+    pairs, unit = [], [tuple(int(a == b) for b in range(3)) for a in range(3)]
+    for axis in {0, 1, 2} - {k}:
+        down = tuple(-x for x in unit[axis])
+        pairs += [at(k, plus(r, unit[axis])), at(k, plus(r, down))]
+        for end in (r, plus(r, unit[k])):
+            pairs += [at(axis, end), at(axis, plus(end, down))]
+    moved = [now != before for now, before in pairs if now is not None and before is not None]
+    return 4 * min(sum(moved), 3) + min(len(moved) - sum(moved), 3)
