@@ -88,8 +88,10 @@ Result<std::vector<float>> smooth_normals(const MapPart& part,
     std::vector<float> normals;
     normals.reserve(part.mesh.positions.size());
     for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v) {
-      const auto own = std::ranges::equal_range(shares, bits_of(part.mesh, v), {}, &Share::first);
-      for (const double x : sum_of({own.begin(), own.end()})) normals.push_back(static_cast<float>(x));
+      const PositionBits position = bits_of(part.mesh, v);
+      const auto begin = std::ranges::lower_bound(shares, position, {}, &Share::first);
+      const auto end = std::ranges::upper_bound(shares, position, {}, &Share::first);
+      for (const double x : sum_of({begin, end})) normals.push_back(static_cast<float>(x));
     }
     return normals;
   });
