@@ -45,6 +45,7 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
   if (!match.new_faces.empty()) {
     const MapPart part = new_part(source, match, rows);
     std::vector<std::uint8_t> is_joined;
+    is_joined.reserve(rows.size());
     for (const std::uint32_t row : rows) is_joined.push_back(match.base_of[row] != kNotJoined ? 1 : 0);
     const Mesh& known = base.part.mesh;
     const JoinedTo joined{{known.positions, known.triangles, match.stays}, is_joined};
