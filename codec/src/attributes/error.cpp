@@ -194,6 +194,12 @@ double number_rms(ComponentType type, const AttributeRows& rows,
   return rms_of(0, 1, type, rows, decoded);
 }
 
+double bounded_rms(ComponentType type, const AttributeRows& rows,
+                   std::span<const std::byte> decoded) noexcept {
+  if (rows.components() == 1) return number_rms(type, rows, decoded);
+  return std::max(color_rms(type, rows, decoded), alpha_rms(type, rows, decoded));
+}
+
 double attribute_rms(const AttributeView& attribute, const AttributeRows& rows,
                      std::span<const std::byte> decoded) noexcept {
   return attribute.kind == AttributeKind::kColor ? color_rms(attribute.type, rows, decoded)

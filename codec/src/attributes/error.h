@@ -57,6 +57,9 @@ double color_rms(ComponentType type, const AttributeRows& rows, std::span<const 
 double alpha_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
 /// The same of numbers, of one component, in their unit.
 double number_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
+/// What a bound on the mean error is on: the larger one of colours and of alpha, or that of single numbers.
+double bounded_rms(ComponentType type, const AttributeRows& rows,
+                   std::span<const std::byte> decoded) noexcept;
 /// Of an attribute that mean_bound_of() has a bound for: color_rms() or number_rms().
 double attribute_rms(const AttributeView& attribute, const AttributeRows& rows,
                      std::span<const std::byte> decoded) noexcept;

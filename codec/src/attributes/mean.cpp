@@ -12,17 +12,6 @@
 #include "attributes/lattice/lattice.h"
 
 namespace deltamesh {
-namespace {
-
-/// Whether red, green and blue have this mean error at most, and alpha has; or numbers have.
-bool keeps_mean(const AttributeView& attribute, const AttributeRows& rows, double rms,
-                std::span<const std::byte> decoded) {
-  if (attribute.kind == AttributeKind::kColor && alpha_rms(attribute.type, rows, decoded) > rms) return false;
-  return attribute_rms(attribute, rows, decoded) <= rms;
-}
-
-}  // namespace
-
 std::optional<CodedAttribute> code_at_mean_error(const AttributeView& attribute, const AttributeRows& rows,
                                                  double rms, const AttributeSettings& settings,
                                                  const AttributeSurface& surface) {
@@ -42,7 +31,7 @@ std::optional<CodedAttribute> code_at_mean_error(const AttributeView& attribute,
     bounded = code_compact(kLattice, write_lattice(attribute, rows, largest, settings.effort, surface));
     mean = code_compact(kMean, write_haar_numbers(type, rows, rms, surface));
   }
-  if (bounded && !keeps_mean(attribute, rows, rms, bounded->decoded.values)) bounded.reset();
+  if (bounded && !(bounded_rms(type, rows, bounded->decoded.values) <= rms)) bounded.reset();
   const bool is_smaller = mean && bounded && bounded->payload.size() <= mean->payload.size();
   return mean && !is_smaller ? std::move(mean) : std::move(bounded);
 }

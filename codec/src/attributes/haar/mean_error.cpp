@@ -4,7 +4,6 @@
 // The step by the mean error asked for.
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "attributes/error.h"
@@ -21,11 +20,11 @@ constexpr double kSlope = 0.8;           ///< of the error over the step, as log
 constexpr double kTolerance = 0.01;
 constexpr std::uint32_t kMoreSteps = 4;
 
-/// `unit`: of `rms`, what a level is. `rms_of`: of decoded values.
-template <class RmsOf>
-std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, ComponentType type, double rms,
-                                                  double unit, const AttributeSurface& surface,
-                                                  RmsOf rms_of) {
+/// `picture`: of `rows`.
+std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, ComponentType type,
+                                                  const AttributeRows& rows, double rms,
+                                                  const AttributeSurface& surface) {
+  const double unit = picture.fields.scale.unit;  // 1 of colours
   const auto levels = make_haar_levels(surface);
   const HaarWriter writer(std::move(picture), levels);
   Bracket bracket({.first = std::round(kStepOfRms * rms / unit),
@@ -40,7 +39,7 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
   double kept = 0;
   while (!bracket.is_done()) {
     auto trial = writer.code(static_cast<std::uint32_t>(bracket.setting()), type);
-    const double reached = rms_of(trial.values);
+    const double reached = bounded_rms(type, rows, trial.values);
     if (!bracket.tell(excess_of_load(reached / rms))) continue;
     best = std::move(trial);
     kept = reached;
@@ -50,7 +49,7 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
   for (std::uint32_t i = 1; best && i <= kMoreSteps && kept < (1 - kTolerance) * rms; ++i) {
     if (step + i > kMostHaarStep) break;
     auto trial = writer.code(step + i, type);
-    const double reached = rms_of(trial.values);
+    const double reached = bounded_rms(type, rows, trial.values);
     if (reached > rms || reached <= kept) continue;
     best = std::move(trial);
     kept = reached;
@@ -64,18 +63,14 @@ std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, cons
                                                         double rms, const AttributeSurface& surface) {
   auto picture = picture_of_colors(type, rows);
   if (!picture) return std::nullopt;
-  return search_step(*std::move(picture), type, rms, 1, surface, [&](std::span<const std::byte> values) {
-    return std::max(color_rms(type, rows, values), alpha_rms(type, rows, values));
-  });
+  return search_step(*std::move(picture), type, rows, rms, surface);
 }
 
 std::optional<CodedValues<std::byte>> write_haar_numbers(ComponentType type, const AttributeRows& rows,
                                                          double rms, const AttributeSurface& surface) {
   auto picture = picture_of_numbers(type, rows);
   if (!picture) return std::nullopt;
-  const double unit = picture->fields.scale.unit;
-  return search_step(*std::move(picture), type, rms, unit, surface,
-                     [&](std::span<const std::byte> values) { return number_rms(type, rows, values); });
+  return search_step(*std::move(picture), type, rows, rms, surface);
 }
 
 }  // namespace deltamesh
