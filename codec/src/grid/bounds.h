@@ -14,13 +14,13 @@
 
 namespace deltamesh::grid {
 
-/// With so many vertices. A brick takes some 11 kB. Maps have 150 vertices or more in each, tenfold what is
-/// asked here.
+/// How many bricks a mesh of `vertices` may have. A brick takes some 11 kB. Maps have 150 vertices or more in
+/// each, tenfold what is asked here.
 inline std::uint32_t most_bricks(std::size_t vertices) noexcept {
   return static_cast<std::uint32_t>(std::min<std::size_t>(kMostBricks, 64 + vertices / 16));
 }
 
-/// `known`: so many vertices of a mesh that is known.
+/// `known`: vertices of the mesh that readers know.
 inline Limits limits_of(const PredictiveParameters& parameters, std::uint32_t vertices,
                         std::uint32_t triangles, std::size_t known = 0) noexcept {
   Limits limits{.vertices = vertices, .triangles = triangles, .voxel = 2 * parameters.levels};

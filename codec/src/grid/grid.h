@@ -49,8 +49,8 @@ struct CodedGrid {
 
 /// `triangles`: m x 3; `cells`: of its n vertices, on the lattice of `parameters`, which are of
 /// PositionKind::kVoxel. Nothing where the grid is too large [GRD-1], or where most faces lie in no cube.
+/// `start`: null for fresh models. `known`: null, or what readers have, of which nothing is coded again.
 /// O(n + m log m).
-/// `start`: null for fresh models; `known`: null, or what a reader has, of which nothing is coded again.
 std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, std::span<const Cell> cells,
                                     const PredictiveParameters& parameters, const GridModels* start = nullptr,
                                     const KnownMesh* known = nullptr);
