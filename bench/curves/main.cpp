@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "curves/color_maps.h"
 #include "curves/color_rates.h"
 #include "curves/colors.h"
 #include "curves/ladder.h"
@@ -122,11 +123,15 @@ int main(int argc, char** argv) {
   auto* colors = app.add_subcommand("colors", "Bytes of colours beside Draco, exact and within bounds");
   colors->add_option("files", options.files, "Meshes with 8-bit colours")->required();
   bool rates = false;
-  colors->add_flag("--rates", rates,
-                   "At equal PSNR of luma: within bounds, and by the transform that no stream has yet");
+  auto* at_rates =
+      colors->add_flag("--rates", rates, "At equal PSNR of luma: within bounds, and at a mean error");
+  bool whole = false;
+  colors->add_flag("--whole", whole, "Whole meshes with their colours by default: bytes and times")
+      ->excludes(at_rates);
   auto* paper = app.add_subcommand(
       "paper", "Tables 1 and 2 of the paper; the data of Figures 3, 6 and 7 as CSV and SVG in --out");
   return parse_and_run(app, argc, argv, [&] {
+    if (*colors && whole) return compare_color_maps(options.files);
     if (*colors) return rates ? compare_color_rates(options.files) : compare_colors(options.files);
     if (*paper) return reproduce_paper(options.choice.corpus, options.out);
     return compare_peers(options);
