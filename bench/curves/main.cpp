@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "curves/color_maps.h"
-#include "curves/color_rates.h"
-#include "curves/colors.h"
+#include "colors/bounds.h"
+#include "colors/rates.h"
+#include "colors/wholes.h"
 #include "curves/ladder.h"
 #include "curves/rate_distortion.h"
 #include "curves/report.h"
@@ -115,7 +115,9 @@ int main(int argc, char** argv) {
   app.add_option("--generated", options.generated,
                  "Use generated meshes of about this many vertices instead of the corpus")
       ->check(CLI::Range(deltamesh::kMinSceneVertices, deltamesh::kMaxSceneVertices));
-  app.add_option("--out", options.out, "Folder for results.csv, results.md and plots/ (default: bench-out)");
+  app.add_option("--out", options.out,
+                 "Folder for results.csv, results.md and plots/ (default: bench-out), or for plots of "
+                 "colours (default: none)");
   app.add_option("--repeat", options.repeat, "Most runs per time; the median counts (default: 5, quick 3)")
       ->check(CLI::Range(1, 1000));
   app.footer("Exit status: 0 all measured, 1 a peer failed (see results.md), 2 usage, 4 cannot write.");
@@ -123,16 +125,18 @@ int main(int argc, char** argv) {
   auto* colors = app.add_subcommand("colors", "Bytes of colours beside Draco, exact and within bounds");
   colors->add_option("files", options.files, "Meshes with 8-bit colours")->required();
   bool rates = false;
-  auto* at_rates =
-      colors->add_flag("--rates", rates, "At equal PSNR of luma: within bounds, and at a mean error");
+  auto* at_rates = colors->add_flag("--rates", rates,
+                                    "At equal PSNR of luma: within bounds, by transforms over the mesh and "
+                                    "an octree, Draco; plots in --out");
   bool whole = false;
   colors->add_flag("--whole", whole, "Whole meshes with their colours by default: bytes and times")
       ->excludes(at_rates);
   auto* paper = app.add_subcommand(
       "paper", "Tables 1 and 2 of the paper; the data of Figures 3, 6 and 7 as CSV and SVG in --out");
   return parse_and_run(app, argc, argv, [&] {
-    if (*colors && whole) return compare_color_maps(options.files);
-    if (*colors) return rates ? compare_color_rates(options.files) : compare_colors(options.files);
+    if (*colors && whole) return compare_whole_meshes(options.files);
+    if (*colors)
+      return rates ? compare_color_rates(options.files, options.out) : compare_colors(options.files);
     if (*paper) return reproduce_paper(options.choice.corpus, options.out);
     return compare_peers(options);
   });

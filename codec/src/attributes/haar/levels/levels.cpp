@@ -10,31 +10,6 @@
 namespace deltamesh {
 namespace {
 
-/// The vertices, each with the copies next to it and its neighbours.
-HaarLevel first_level(const AttributeSurface& surface) {
-  HaarLevel level;
-  const std::uint32_t n = surface.vertex_count();
-  const auto places = make_haar_places(surface.positions(), n);
-  level.nodes.resize(n);
-  const Adjacency& graph = surface.graph();
-  level.graph.offsets.resize(std::size_t{n} + 1);
-  level.graph.neighbors.reserve(graph.neighbors.size());
-  level.graph.offsets[0] = 0;
-  for (std::uint32_t v = 0; v < n; ++v) {
-    level.nodes[v] = {.place = places[v], .weight = 1};
-    const auto add = [&](std::uint32_t u) {
-      if (level.graph.neighbors.size() - level.graph.offsets[v] < kMostHaarNeighbors)
-        level.graph.neighbors.push_back(u);
-    };
-    const auto is_copy = [&](std::uint32_t u) { return surface.geometric_of(u) == surface.geometric_of(v); };
-    if (v > 0 && is_copy(v - 1)) add(v - 1);
-    if (v + 1 < n && is_copy(v + 1)) add(v + 1);
-    for (const std::uint32_t u : graph.of(v)) add(u);
-    level.graph.offsets[v + 1] = static_cast<std::uint32_t>(level.graph.neighbors.size());
-  }
-  return level;
-}
-
 HaarNode join_nodes(const HaarNode& a, const HaarNode& b, std::uint32_t share_of_a) noexcept {
   HaarNode joined{.place = b.place, .weight = a.weight + b.weight};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -70,8 +45,33 @@ Adjacency join_graph(const HaarLevel& fine, const LargeVector<HaarChildren>& chi
   return graph;
 }
 
-HaarLevel next_level(const HaarLevel& fine) {
-  const auto mates = pair_nodes(fine);
+}  // namespace
+
+HaarLevel first_haar_level(const AttributeSurface& surface) {
+  HaarLevel level;
+  const std::uint32_t n = surface.vertex_count();
+  const auto places = make_haar_places(surface.positions(), n);
+  level.nodes.resize(n);
+  const Adjacency& graph = surface.graph();
+  level.graph.offsets.resize(std::size_t{n} + 1);
+  level.graph.neighbors.reserve(graph.neighbors.size());
+  level.graph.offsets[0] = 0;
+  for (std::uint32_t v = 0; v < n; ++v) {
+    level.nodes[v] = {.place = places[v], .weight = 1};
+    const auto add = [&](std::uint32_t u) {
+      if (level.graph.neighbors.size() - level.graph.offsets[v] < kMostHaarNeighbors)
+        level.graph.neighbors.push_back(u);
+    };
+    const auto is_copy = [&](std::uint32_t u) { return surface.geometric_of(u) == surface.geometric_of(v); };
+    if (v > 0 && is_copy(v - 1)) add(v - 1);
+    if (v + 1 < n && is_copy(v + 1)) add(v + 1);
+    for (const std::uint32_t u : graph.of(v)) add(u);
+    level.graph.offsets[v + 1] = static_cast<std::uint32_t>(level.graph.neighbors.size());
+  }
+  return level;
+}
+
+HaarLevel next_haar_level(const HaarLevel& fine, const LargeVector<std::uint32_t>& mates) {
   HaarLevel level;
   LargeVector<std::uint32_t> parents(mates.size());
   level.nodes.reserve(mates.size());
@@ -97,12 +97,11 @@ HaarLevel next_level(const HaarLevel& fine) {
   return level;
 }
 
-}  // namespace
-
 std::vector<HaarLevel> make_haar_levels(const AttributeSurface& surface) {
   std::vector<HaarLevel> levels;
-  levels.push_back(first_level(surface));
-  while (levels.back().nodes.size() > 1) levels.push_back(next_level(levels.back()));
+  levels.push_back(first_haar_level(surface));
+  while (levels.back().nodes.size() > 1)
+    levels.push_back(next_haar_level(levels.back(), pair_nodes(levels.back())));
   return levels;
 }
 

@@ -38,6 +38,13 @@ struct HaarLevel {
 /// Longer lists of neighbours are cut, which bounds time and memory whatever the mesh.
 inline constexpr std::uint32_t kMostHaarNeighbors = 16;
 
+/// The vertices, each with the copies next to it and its neighbours. O(n).
+HaarLevel first_haar_level(const AttributeSurface& surface);
+
+/// `mates`: the node that each node of `fine` is joined with; itself where it stays alone. Nodes come in the
+/// order of their first children. O(n).
+HaarLevel next_haar_level(const HaarLevel& fine, const LargeVector<std::uint32_t>& mates);
+
 /// From the vertices to a single node; without vertices one level without nodes. Copies of a position are
 /// joined first. O(n): every level but the last few has at most 3/4 of the nodes of the one before. Sorts the
 /// isolated nodes of a level.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "curves/colors.h"
+#include "colors/bounds.h"
 
 #include <array>
 #include <cstdint>

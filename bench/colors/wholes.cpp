@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "curves/color_maps.h"
+#include "colors/wholes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -26,9 +26,9 @@ constexpr double kNear = 4;        ///< the bound beside the default, 255ths
 constexpr int kPositionBits = 14;  ///< of Draco's positions
 constexpr int kEncodeLevel = 10;   ///< of Draco whose time to encode counts
 constexpr int kDecodeLevel = 7;    ///< of Draco whose time to decode counts
-constexpr TimingEffort kMapRuns = {.rounds = 9, .seconds = 20, .least_seconds = 0.2};
+constexpr TimingEffort kWholeRuns = {.rounds = 9, .seconds = 20, .least_seconds = 0.2};
 
-struct ColorMap {
+struct WholeMesh {
   std::uint64_t chosen = 0;  ///< bytes of the whole stream by default
   std::uint64_t near = 0;    ///< with colours within kNear
   std::uint64_t exact = 0;
@@ -47,15 +47,15 @@ EncodeOptions within(std::optional<double> color_error) {
 /// The times of `works` in turn.
 template <class... Work>
 auto times_of(Work&&... works) {
-  return value_or_exit(time_in_turn(kMapRuns, std::forward<Work>(works)...));
+  return value_or_exit(time_in_turn(kWholeRuns, std::forward<Work>(works)...));
 }
 
-ColorMap measure_map(const Mesh& mesh) {
+WholeMesh measure_mesh(const Mesh& mesh) {
   const auto chosen = value_or_exit(encode(mesh, within(std::nullopt)));
   const auto exact = value_or_exit(encode(mesh, within(0)));
-  ColorMap map{.chosen = chosen.bytes.size(),
-               .near = value_or_exit(encode(mesh, within(kNear))).bytes.size(),
-               .exact = exact.bytes.size()};
+  WholeMesh whole{.chosen = chosen.bytes.size(),
+                  .near = value_or_exit(encode(mesh, within(kNear))).bytes.size(),
+                  .exact = exact.bytes.size()};
   const auto draco_mesh = to_draco(mesh);
   const auto encoding = [&](std::optional<double> bound) {
     return [&, bound] { return encode(mesh, within(bound)); };
@@ -63,15 +63,15 @@ ColorMap measure_map(const Mesh& mesh) {
   const auto encodes = times_of(encoding(std::nullopt), encoding(0), [&] {
     return encode_draco(*draco_mesh, {.position_bits = kPositionBits}, kEncodeLevel);
   });
-  map.encode_over_exact = median_ratio(encodes[0], encodes[1]);
-  map.encode_over_draco = median_ratio(encodes[0], encodes[2]);
+  whole.encode_over_exact = median_ratio(encodes[0], encodes[1]);
+  whole.encode_over_draco = median_ratio(encodes[0], encodes[2]);
   const auto draco = value_or_exit(encode_draco(*draco_mesh, {.position_bits = kPositionBits}, kDecodeLevel));
   const auto decoding = [](std::span<const std::byte> bytes) { return [bytes] { return decode(bytes); }; };
   const auto decodes =
       times_of(decoding(chosen.bytes), decoding(exact.bytes), [&] { return decode_draco(draco); });
-  map.decode_over_draco = median_ratio(decodes[0], decodes[2]);
-  map.exact_decode_over_draco = median_ratio(decodes[1], decodes[2]);
-  return map;
+  whole.decode_over_draco = median_ratio(decodes[0], decodes[2]);
+  whole.exact_decode_over_draco = median_ratio(decodes[1], decodes[2]);
+  return whole;
 }
 
 /// Nothing for a mesh without 8-bit colours.
@@ -86,7 +86,7 @@ std::optional<Mesh> with_colors_alone(Mesh mesh) {
 
 }  // namespace
 
-int compare_color_maps(const std::vector<std::string>& files) {
+int compare_whole_meshes(const std::vector<std::string>& files) {
   print(
       join({"Whole meshes with their colours by default, processor time of one thread; Draco with exact "
             "colours,\n",
@@ -98,13 +98,13 @@ int compare_color_maps(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     const auto mesh = with_colors_alone(value_or_exit(load_mesh(file)));
     if (!mesh) continue;
-    const ColorMap map = measure_map(*mesh);
-    encode_mean.add(map.encode_over_exact);
-    decode_mean.add(map.decode_over_draco);
-    print(table_row({std::filesystem::path(file).stem().string(), number(map.chosen),
-                     fixed(ratio(map.chosen, map.near), 2), fixed(ratio(map.chosen, map.exact), 2),
-                     fixed(map.encode_over_exact, 2), fixed(map.encode_over_draco, 2),
-                     fixed(map.decode_over_draco, 2), fixed(map.exact_decode_over_draco, 2)}));
+    const WholeMesh whole = measure_mesh(*mesh);
+    encode_mean.add(whole.encode_over_exact);
+    decode_mean.add(whole.decode_over_draco);
+    print(table_row({std::filesystem::path(file).stem().string(), number(whole.chosen),
+                     fixed(ratio(whole.chosen, whole.near), 2), fixed(ratio(whole.chosen, whole.exact), 2),
+                     fixed(whole.encode_over_exact, 2), fixed(whole.encode_over_draco, 2),
+                     fixed(whole.decode_over_draco, 2), fixed(whole.exact_decode_over_draco, 2)}));
   }
   print(join({"\nGeometric means: encode over exact ", fixed(encode_mean.value().value_or(0), 2),
               ", decode over Draco ", fixed(decode_mean.value().value_or(0), 2), ".\n"}));

@@ -11,6 +11,6 @@ namespace deltamesh::bench {
 
 /// Prints a table of `files` with their colours as the only attribute; those without 8-bit colours are left
 /// out. One thread, all in turn. Returns 0, or exits where a file or the codec fails.
-int compare_color_maps(const std::vector<std::string>& files);
+int compare_whole_meshes(const std::vector<std::string>& files);
 
 }  // namespace deltamesh::bench
