@@ -11,7 +11,6 @@
 #include "deltamesh/encode.h"
 #include "deltamesh/result.h"
 #include "encoder/coded_topology.h"
-#include "encoder/topology_chunks.h"
 #include "search/candidate.h"
 
 namespace deltamesh {

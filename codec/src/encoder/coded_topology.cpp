@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "base/memory/large_vector.h"
-#include "encoder/welded_mesh.h"
+#include "connectivity/groups/groups.h"
+#include "connectivity/plain/topology.h"
+#include "format/chunk/tags.h"
+#include "topology/weld.h"
 
 namespace deltamesh {
 namespace {
@@ -51,7 +54,44 @@ MeshEdges edges_of(const CodedTopology& topology) {
   return edges;
 }
 
+std::vector<std::byte> code_face_groups(const MeshView& mesh, const CodedTopology& topology, bool is_plain) {
+  std::vector<std::uint32_t> groups;
+  groups.reserve(mesh.face_groups.size());
+  for (const std::uint32_t face : topology.connectivity.face_order) groups.push_back(mesh.face_groups[face]);
+  if (is_plain) return write_plain_groups(groups);
+  return write_face_groups(std::move(groups), topology.triangles(), topology.vertex_count());
+}
+
 }  // namespace
+
+std::vector<std::uint8_t> find_referenced(const MeshView& mesh) {
+  std::vector<std::uint8_t> referenced(mesh.vertex_count());
+  for (const std::uint32_t v : mesh.triangles) referenced[v] = 1;
+  return referenced;
+}
+
+WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& referenced, bool drops) {
+  Weld weld = weld_by_position(mesh.positions, referenced);
+  WeldedMesh welded;
+  welded.has_seams = weld.representative.size() < referenced.size();
+  if (!welded.has_seams && !drops) {
+    welded.triangles = mesh.triangles;
+    welded.representative = std::move(weld.representative);
+    return welded;
+  }
+  std::vector<std::uint32_t> number(weld.representative.size(), kDropped);
+  for (std::uint32_t g = 0; g < number.size(); ++g) {
+    if (drops && referenced[weld.representative[g]] == 0) continue;
+    number[g] = static_cast<std::uint32_t>(welded.representative.size());
+    welded.representative.push_back(weld.representative[g]);
+  }
+  welded.geometric = std::move(weld.geometric);
+  for (std::uint32_t& g : welded.geometric) g = number[g];
+  welded.renumbered.reserve(mesh.triangles.size());
+  for (const std::uint32_t v : mesh.triangles) welded.renumbered.push_back(welded.geometric[v]);
+  welded.triangles = welded.renumbered;
+  return welded;
+}
 
 CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const OpModels* start) {
   CodedTopology topology;
@@ -112,6 +152,20 @@ MeshOrder original_order(const CodedTopology& topology, std::size_t input_vertic
   order.faces = topology.connectivity.face_order;
   order.rotation = topology.connectivity.face_rotation;
   return order;
+}
+
+TopologyChunks code_topology_chunks(const MeshView& mesh, const EncodeOptions& options,
+                                    const CodedTopology& topology) {
+  const ChunkList none(options.profile, options.effort);
+  TopologyChunks chunks{none, none, none};
+  chunks.faces.add(kTagConnectivity, topology.connectivity.payload);
+  chunks.splits.add(kTagSeams, topology.seams.payload);
+  if (!mesh.face_groups.empty())
+    chunks.splits.add(kTagFaceGroups, code_face_groups(mesh, topology, none.is_plain()));
+  if (options.keep_order && !none.is_plain())
+    chunks.order.add(kTagOrder,
+                     write_order(original_order(topology, mesh.vertex_count()), topology.triangles()));
+  return chunks;
 }
 
 }  // namespace deltamesh

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// From the input's faces to the coded order of vertices and faces: drop, weld, code the connectivity, split
-// at seams.
+// From the input's faces to the coded order of vertices and faces, and to chunks: drop, weld, code the
+// connectivity, split at seams.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,31 @@
 #include "connectivity/faces/faces.h"
 #include "connectivity/order/order.h"
 #include "connectivity/seams/seams.h"
+#include "deltamesh/encode.h"
 #include "deltamesh/mesh.h"
+#include "entropy/chunk_list.h"
 #include "grid/grid.h"
 #include "topology/source_geometry.h"
 
 namespace deltamesh {
+
+inline constexpr std::uint32_t kDropped = 0xffffffff;
+
+/// A flag for every vertex.
+std::vector<std::uint8_t> find_referenced(const MeshView& mesh);
+
+/// The input's faces over vertices of different positions, without vertices that are dropped.
+struct WeldedMesh {
+  /// Geometric vertex of every input vertex, or kDropped; empty where all are kept, each alone.
+  std::vector<std::uint32_t> geometric;
+  std::vector<std::uint32_t> renumbered;      ///< likewise
+  std::span<const std::uint32_t> triangles;   ///< the input's, or those that are renumbered
+  std::vector<std::uint32_t> representative;  ///< input vertex of every geometric vertex
+  bool has_seams = false;
+};
+
+/// `drops`: vertices that are not referenced. The mesh must outlive the result.
+WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& referenced, bool drops);
 
 struct CodedTopology {
   std::uint64_t unreferenced = 0;  ///< input vertices that no face uses
@@ -58,5 +78,19 @@ SourceGeometry source_geometry(const MeshView& mesh, const CodedTopology& topolo
 /// The ORDR contents that restore the input's order (without dropped vertices). `input_vertices`: of the
 /// mesh.
 MeshOrder original_order(const CodedTopology& topology, std::size_t input_vertices);
+
+/// A coded topology as chunks.
+struct TopologyChunks {
+  ChunkList faces;   ///< CONN; empty where the geometry has the faces
+  ChunkList splits;  ///< seams and groups
+  ChunkList order;   ///< the input's, if it is kept; plain payloads are in that order
+
+  /// Of all but the faces.
+  std::uint64_t other_bytes() const noexcept { return splits.bytes() + order.bytes(); }
+};
+
+/// `topology`: of `mesh`. O(n + m).
+TopologyChunks code_topology_chunks(const MeshView& mesh, const EncodeOptions& options,
+                                    const CodedTopology& topology);
 
 }  // namespace deltamesh

@@ -19,7 +19,6 @@
 #include "deltamesh/model_states.h"
 #include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
-#include "encoder/topology_chunks.h"
 #include "entropy/chunk_list.h"
 #include "format/container_write.h"
 #include "search/request.h"

@@ -4,7 +4,6 @@
 
 #include "connectivity/plain/topology.h"
 #include "encoder/coded_topology.h"
-#include "encoder/welded_mesh.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
