@@ -38,6 +38,9 @@ double largest_side(const VoxelFit& fit) noexcept {
   return *std::max_element(fit.voxel.begin(), fit.voxel.end());
 }
 
+/// Heights over a grid have a lattice of their own. But a part of a map on a given grid may be a floor.
+bool may_be_heights(const VoxelFit& fit) noexcept { return fit.is_along_one_axis && !fit.is_given; }
+
 /// The coarsest lattice or the fewest levels that keep the bounds; see search_predictive().
 class BoundSearch {
  public:
@@ -52,9 +55,9 @@ class BoundSearch {
     if (voxels && (!is_quick || enough)) {
       keep_smaller(on_voxels(*voxels));
       keep_smaller(on_usual_levels(*voxels));
-    } else if (const auto axes = trials_.axes(step / 8); has_grid(axes, step)) {
-      keep_smaller(on_lattice(axes));
     }
+    if (!best_ || may_be_heights(*voxels))
+      if (const auto axes = trials_.axes(step / 8); has_grid(axes, step)) keep_smaller(on_lattice(axes));
     const bool compares = trials_.request().effort >= kThoroughEffort || (!is_quick && !enough);
     const auto faces_in_no_cube = best_ && best_->grid ? best_->grid->rest_triangles : 0;
     if (!best_ || compares || faces_in_no_cube > trials_.source().triangles.size() / 3 / kOneInNoCube)
@@ -206,7 +209,7 @@ bool are_voxels_enough(const PredictiveTrials& trials) {
   constexpr double kMostly = 0.5;      // of the vertices on edges, of the faces in cubes
   constexpr double kMuchFiner = 0.25;  // than the lattice: then a plane of voxels means nothing
   const auto& voxels = trials.voxels();
-  return voxels && std::min(voxels->share, voxels->in_cubes) > kMostly &&
+  return voxels && !may_be_heights(*voxels) && std::min(voxels->share, voxels->in_cubes) > kMostly &&
          largest_side(*voxels) > kMuchFiner * lattice_step_for(trials.request().bounds, trials.source().box);
 }
 

@@ -10,7 +10,6 @@
 #include "support/limits.h"
 
 namespace deltamesh {
-namespace {}  // namespace
 
 Result<void> validate(const MapDescription& description) noexcept {
   const MapLattice& lattice = description.lattice;

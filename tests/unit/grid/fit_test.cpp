@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "deltamesh/encode.h"
 #include "grid_meshes.h"
 #include "scenes.h"
 #include "support/graph_mesh.h"
@@ -51,7 +53,8 @@ TEST(VoxelFit, TheGridIsFound) {
   EXPECT_EQ(same.voxel, fit->voxel);
   EXPECT_GT(same.in_cubes, 0.95);
   const test::GraphMesh sheet = test::sheet(20, 20);
-  EXPECT_FALSE(fit_voxels(AxisValues(sheet.positions), sheet.box));
+  const auto heights = fit_voxels(AxisValues(sheet.positions), sheet.box);
+  EXPECT_TRUE(!heights || heights->is_along_one_axis);
   EXPECT_FALSE(fit_voxels(AxisValues({}), {}));
 }
 
@@ -73,6 +76,56 @@ TEST(VoxelFit, CubesAreOfTheSizeThatMostFacesOfAnOctreeLieIn) {
     given.is_given = true;
     EXPECT_EQ(for_most_faces(given, values, points.triangles).voxel, fine.voxel);
   }
+}
+
+/// Ground in cubes of 0.1 m with slopes of at most 1 : 18, nearly all of whose vertices are on edges upwards.
+Mesh gentle_ground() {
+  test::RandomBits random(5);
+  const scenes::Surface surface = test::marched(
+      [&](int i, int j, int k) {
+        const float hill = 0.8F * std::sin(static_cast<float>(i) / 15) * std::cos(static_cast<float>(j) / 18);
+        const float noise = static_cast<float>(random() % 1000) / 5000;
+        return static_cast<float>(k) - 20 - hill + noise;
+      },
+      120);
+  Mesh mesh;
+  mesh.triangles = surface.triangles;
+  for (const float place : surface.positions) mesh.positions.push_back(0.1F * place);
+  return mesh;
+}
+
+TEST(VoxelFit, GentleGroundIsOnEdgesAlongOneAxis) {
+  const Mesh mesh = gentle_ground();
+  Points points;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+    points.add({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
+  const AxisValues values(points.positions);
+  const auto fit = fit_voxels(values, points.box);
+  ASSERT_TRUE(fit);
+  EXPECT_TRUE(fit->is_along_one_axis);
+  const auto given = fit_to_grid(*fit, values, points.box);
+  ASSERT_TRUE(given);
+  EXPECT_TRUE(given->is_along_one_axis);
+  EXPECT_GT(for_most_faces(*given, values, mesh.triangles).in_cubes, 0.5);
+}
+
+TEST(VoxelFit, GentleGroundIsCodedInCubesAndHeightsOnALattice) {
+  const auto ground = encode(gentle_ground(), {.quality = {.max_error = QualityBound{0.002}}});
+  ASSERT_TRUE(ground);
+  EXPECT_EQ(ground->report.stream.geometry, "grid");
+  // Heights in quarters of the distance of their grid.
+  Mesh heights;
+  const test::GraphMesh sheet = test::sheet(60, 60);
+  heights.triangles.assign(sheet.triangles.begin(), sheet.triangles.end());
+  for (std::uint32_t v = 0; v < sheet.positions.size(); ++v) {
+    const auto x = static_cast<float>(v % 61);
+    const auto y = static_cast<float>(v / 61);
+    for (const float at : {x, y, std::round(4 * (3 * std::sin(x / 15) + 2 * std::cos(y / 11))) / 4})
+      heights.positions.push_back(at);
+  }
+  const auto on_lattice = encode(heights, {.quality = {.max_error = QualityBound{0.1}}});
+  ASSERT_TRUE(on_lattice);
+  EXPECT_EQ(on_lattice->report.stream.geometry, "predictive");
 }
 
 }  // namespace

@@ -30,18 +30,23 @@ inline PredictiveParameters voxel_parameters(std::uint32_t nodes, std::uint32_t 
   return parameters;
 }
 
-/// Where `field` is 0, by marching cubes. `field`: of a node, negative inside.
-inline CellMesh surface_of(const std::function<float(int, int, int)>& field, std::uint32_t nodes,
-                           std::uint32_t levels) {
+/// Where `field` is 0, by marching cubes of edge 1. `field`: of a node, negative inside.
+inline scenes::Surface marched(const std::function<float(int, int, int)>& field, std::uint32_t nodes) {
   std::vector<float> layer(std::size_t{nodes} * nodes);
   const scenes::Lattice lattice{.nodes = {nodes, nodes, nodes}, .voxel = 1, .base = {}};
-  const auto surface = march_cubes(lattice, [&](std::uint32_t i) {
+  return march_cubes(lattice, [&](std::uint32_t i) {
     for (std::uint32_t j = 0; j < nodes; ++j)
       for (std::uint32_t k = 0; k < nodes; ++k)
         layer[std::size_t{j} * nodes + k] =
             field(static_cast<int>(i), static_cast<int>(j), static_cast<int>(k));
     return std::span<const float>(layer);
   });
+}
+
+/// The same, on levels.
+inline CellMesh surface_of(const std::function<float(int, int, int)>& field, std::uint32_t nodes,
+                           std::uint32_t levels) {
+  const scenes::Surface surface = marched(field, nodes);
   CellMesh mesh{surface.triangles, {}, voxel_parameters(nodes, levels)};
   for (std::size_t v = 0; v < surface.positions.size(); v += 3) {
     Cell& cell = mesh.cells.emplace_back();

@@ -79,7 +79,7 @@ double rounding_noise(const Box& box) noexcept {
   return reach * 0x1p-21;
 }
 
-/// `fit` with its share; empty where that is too small, or all vertices are along one axis.
+/// `fit` with its share; empty where that is too small.
 std::optional<VoxelFit> with_share(VoxelFit fit, const AxisValues& values) {
   const std::span<const Vec3> positions = values.positions();
   std::array<std::size_t, 3> along{};  // vertices inside an edge of each axis
@@ -91,9 +91,8 @@ std::optional<VoxelFit> with_share(VoxelFit fit, const AxisValues& values) {
   const std::size_t inside = along[0] + along[1] + along[2];
   fit.share = static_cast<double>(inside) / static_cast<double>(sampled);
   if (fit.share < kFewestOnEdges) return std::nullopt;
-  // Heights over a grid, say: a lattice of their own suits them better.
   const std::size_t largest = *std::max_element(along.begin(), along.end());
-  if (static_cast<double>(largest) > kMostAlongOneAxis * static_cast<double>(inside)) return std::nullopt;
+  fit.is_along_one_axis = static_cast<double>(largest) > kMostAlongOneAxis * static_cast<double>(inside);
   return fit;
 }
 

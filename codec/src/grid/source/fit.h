@@ -17,12 +17,13 @@
 namespace deltamesh {
 
 struct VoxelFit {
-  Vec3 origin{};          ///< a node at or below the smallest coordinate
-  Vec3 voxel{};           ///< edge lengths, model units
-  double noise = 0;       ///< how far from a plane a coordinate on it may be
-  double share = 0;       ///< of the vertices on an edge
-  double in_cubes = 0;    ///< share of the faces that lie in a cube, their corners on its edges
-  bool is_given = false;  ///< `origin` stays that of the lattice, wherever the mesh is
+  Vec3 origin{};                   ///< a node at or below the smallest coordinate
+  Vec3 voxel{};                    ///< edge lengths, model units
+  double noise = 0;                ///< how far from a plane a coordinate on it may be
+  double share = 0;                ///< of the vertices on an edge
+  double in_cubes = 0;             ///< share of the faces that lie in a cube, their corners on its edges
+  bool is_along_one_axis = false;  ///< nearly all of these edges: perhaps heights over a grid
+  bool is_given = false;           ///< `origin` stays that of the lattice, wherever the mesh is
 };
 
 /// Empty where fewer than a fifth of the sampled vertices are on the edges of one grid. O(n).
