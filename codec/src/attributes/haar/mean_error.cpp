@@ -16,7 +16,8 @@ namespace deltamesh {
 namespace {
 
 constexpr double kStepOfRms = 64 * 3.3;  ///< 64ths of a level; of photographs
-constexpr double kSlope = 0.8;           ///< of the error over the step, as logarithms; of photographs
+constexpr double kSlope = 0.72;          ///< of the error over the step, as logarithms; of photographs
+constexpr double kSlopeOfOne = 0.95;     ///< likewise, of one axis
 constexpr double kTolerance = 0.01;
 constexpr std::uint32_t kMoreSteps = 4;
 
@@ -25,13 +26,14 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
                                                   const AttributeRows& rows, double rms,
                                                   const AttributeSurface& surface) {
   const double unit = picture.fields.scale.unit;  // 1 of colours
+  const double slope = picture.fields.axes == 1 ? kSlopeOfOne : kSlope;
   const auto levels = make_haar_levels(surface);
   const HaarWriter writer(std::move(picture), levels);
   Bracket bracket({.first = std::round(kStepOfRms * rms / unit),
                    .least = 1,
                    .most = kMostHaarStep,
                    .whole = true,
-                   .slope = kSlope,
+                   .slope = slope,
                    .aim = -kTolerance / 2,
                    .tolerance = portable_log2(1 - kTolerance),
                    .trials = 12});
