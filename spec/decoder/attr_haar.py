@@ -111,20 +111,20 @@ def HAAR_6_values(r, a, surface):
     if surface.n == 0:
         return []
     coder, levels = Coder(r), HAAR_3_levels(surface)
-    values = HaarCoder(coder, levels, axes, step).decode()
+    learnt = surface.states.models(("coefficients", surface.attributes.index(a)), numbers=fresh_numbers())  # [CMP-16]
+    values = HaarCoder(coder, levels, axes, step, learnt.numbers).decode()
     if a.k == 1:
         return [[HAAR_15_number(value[0], low, unit, a.type)] for value in values]
     rows = [HAAR_14_colour(value) for value in values]
     if alpha == 1:
         rows = [row + [level] for row in rows]
     if alpha == 2:
-        rows = [row + HAAR_14_colour(value)[:1] for row, value in zip(rows, HaarCoder(coder, levels, 1, step).decode())]
+        rows = [row + HAAR_14_colour(value)[:1] for row, value in zip(rows, HaarCoder(coder, levels, 1, step, fresh_numbers()).decode())]
     return [[ATTR_46_value(x, a.type, 8) for x in row] for row in rows]
 
 class HaarCoder:  # HAAR-7 to HAAR-13
-    def __init__(self, coder, levels, axes, step):
-        self.coder, self.levels, self.axes, self.step, self.numbers = coder, levels, range(axes), step, ScaledCoder()
-        self.numbers.models = FreshModels()
+    def __init__(self, coder, levels, axes, step, numbers):
+        self.coder, self.levels, self.axes, self.step, self.numbers = coder, levels, range(axes), step, numbers
 
     def decode(self):
         """[HAAR-7] The values of the vertices. Known of a node: place, value, sizes."""
@@ -189,6 +189,11 @@ class HaarCoder:  # HAAR-7 to HAAR-13
         k, c = K(expected >> shift) + (5 if shift else 0), 0 if weight <= 2 else 1 if weight <= 8 else 2
         q = self.numbers.CMP_15_number(self.coder, (3 * k + c) * 3 + t, (12 * B(S) + B(coded)) * 3 + t, 3 * (k // 4) + t, shift)
         return clamp(q, -2**16, 2**16)
+
+def fresh_numbers():  # HAAR-12
+    numbers = ScaledCoder()
+    numbers.models = FreshModels()
+    return numbers
 
 class FreshModels(dict):
     """[HAAR-12] Models by table and number."""

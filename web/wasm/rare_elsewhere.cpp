@@ -41,7 +41,8 @@ Result<std::vector<float>> read_float_positions(std::span<const std::byte> bytes
 
 Result<std::vector<std::byte>> read_rare_values(AttributeCoding coding, std::span<const std::byte> bytes,
                                                 const Attribute& shape, const AttributeSurface& surface,
-                                                std::span<const JointRow> joints) {
+                                                std::span<const JointRow> joints,
+                                                const Learning<AttributeModels>&) {
   return read<std::vector<std::byte>>({.form = RareForm::kAttribute,
                                        .vertex_count = surface.vertex_count(),
                                        .bytes = hand_over(bytes),

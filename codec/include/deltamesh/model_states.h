@@ -16,10 +16,11 @@ namespace deltamesh {
 
 struct StreamModels;
 
-/// The states of the adaptive models of faces, positions (predictive) and colours as they are after a stream.
-/// Given to encode() and decode(), parts of one mesh take fewer bytes: none has to learn again what all have
-/// in common. A stream that was encoded with states is decoded with the states of the same stream, and says
-/// nothing of them: that is for what holds it, such as a map. Immutable; several threads may use it.
+/// The states of the adaptive models of faces, positions (predictive), colours and attributes at a mean error
+/// as they are after a stream. Given to encode() and decode(), parts of one mesh take fewer bytes: none has
+/// to learn again what all have in common. A stream that was encoded with states is decoded with the states
+/// of the same stream, and says nothing of them: that is for what holds it, such as a map. Immutable; several
+/// threads may use it.
 class ModelStates {
  public:
   /// Errors: as decode().

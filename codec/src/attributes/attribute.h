@@ -19,13 +19,13 @@
 
 namespace deltamesh {
 
-struct ColorModels;
+struct AttributeModels;
 
 struct AttributeSettings {
   const AttributeQuality& quality;
-  bool plain = false;                  ///< the plain form
-  int effort = 1;                      ///< 0 to 2
-  const ColorModels* start = nullptr;  ///< of colours; null for fresh models
+  bool plain = false;                      ///< the plain form
+  int effort = 1;                          ///< 0 to 2
+  const AttributeModels* start = nullptr;  ///< null for fresh models
 };
 
 /// A coded attribute and what a decoder gets.
@@ -59,9 +59,9 @@ Attribute shape_of(const AttributeDescriptor& descriptor);
 std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32_t rows) noexcept;
 
 /// `others`: see write_attribute(). Errors: kTruncated, kInvalidStream [ATTR-*], kLimitExceeded where the
-/// values would take more than `max_bytes`. `learning`: of colours.
+/// values would take more than `max_bytes`.
 Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& descriptor,
                                  const AttributeSurface& surface, std::span<const Attribute> others,
-                                 std::uint64_t max_bytes, const Learning<ColorModels>& learning = {});
+                                 std::uint64_t max_bytes, const Learning<AttributeModels>& learning = {});
 
 }  // namespace deltamesh

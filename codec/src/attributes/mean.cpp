@@ -10,6 +10,7 @@
 #include "attributes/error.h"
 #include "attributes/haar/haar.h"
 #include "attributes/lattice/lattice.h"
+#include "attributes/models.h"
 
 namespace deltamesh {
 std::optional<CodedAttribute> code_at_mean_error(const AttributeView& attribute, const AttributeRows& rows,
@@ -22,14 +23,14 @@ std::optional<CodedAttribute> code_at_mean_error(const AttributeView& attribute,
   if (attribute.kind == AttributeKind::kColor) {
     // Errors are evenly spread over the whole numbers from -L to L.
     const double largest = std::floor(std::sqrt(0.25 + 3 * rms * rms) - 0.5);
-    bounded =
-        code_compact(kSurfaceColors, write_surface_colors(type, rows, largest, surface, settings.start));
-    mean = code_compact(kMean, write_haar_colors(type, rows, rms, surface));
+    bounded = code_compact(kSurfaceColors,
+                           write_surface_colors(type, rows, largest, surface, color_models(settings.start)));
+    mean = code_compact(kMean, write_haar_colors(type, rows, rms, surface, mean_models(settings.start)));
   } else {
     // Errors are evenly spread over all numbers from -L to L.
     const double largest = std::sqrt(3.0) * rms;
     bounded = code_compact(kLattice, write_lattice(attribute, rows, largest, settings.effort, surface));
-    mean = code_compact(kMean, write_haar_numbers(type, rows, rms, surface));
+    mean = code_compact(kMean, write_haar_numbers(type, rows, rms, surface, mean_models(settings.start)));
   }
   if (bounded && !(bounded_rms(type, rows, bounded->decoded.values) <= rms)) bounded.reset();
   const bool is_smaller = mean && bounded && bounded->payload.size() <= mean->payload.size();

@@ -4,6 +4,7 @@
 #include "attributes/attribute.h"
 #include "attributes/colors/colors.h"
 #include "attributes/exceptions/exceptions.h"
+#include "attributes/models.h"
 #include "attributes/normals/normals.h"
 #include "attributes/payload.h"
 #include "attributes/plain/plain.h"
@@ -22,12 +23,14 @@ namespace {
 Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding coding, const Attribute& shape,
                                                const AttributeSurface& surface,
                                                std::span<const Attribute> others,
-                                               const Learning<ColorModels>& learning) {
+                                               const Learning<AttributeModels>& learning) {
   DELTAMESH_TRY(const auto bytes, in.read_bytes(in.remaining()));
   std::vector<float> numbers;
   switch (coding) {
     case AttributeCoding::kSurfaceColors:
-      return read_surface_colors(bytes, shape.type, shape.components, surface, learning);
+      return read_surface_colors(bytes, shape.type, shape.components, surface,
+                                 {color_models(learning.start),
+                                  learning.end != nullptr ? &learning.end->colors.emplace() : nullptr});
     case AttributeCoding::kSurfaceNormals: {
       DELTAMESH_TRY(numbers, read_surface_normals(bytes, surface));
       break;
@@ -45,7 +48,7 @@ Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding c
       const auto joints = coding == AttributeCoding::kWeights
                               ? joints_of_weights(others, surface.vertex_count())
                               : std::vector<JointRow>();
-      return read_rare_values(coding, bytes, shape, surface, joints);
+      return read_rare_values(coding, bytes, shape, surface, joints, learning);
     }
   }
   const auto values = std::as_bytes(std::span(numbers));
@@ -86,7 +89,7 @@ std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32
 
 Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& descriptor,
                                  const AttributeSurface& surface, std::span<const Attribute> others,
-                                 std::uint64_t max_bytes, const Learning<ColorModels>& learning) {
+                                 std::uint64_t max_bytes, const Learning<AttributeModels>& learning) {
   ByteReader in(payload.bytes, kTagAttribute);
   if (attribute_bytes(descriptor, surface.vertex_count()) > max_bytes)
     return in.error(ErrorCode::kLimitExceeded, "attribute values larger than allowed", "ATTR-8");

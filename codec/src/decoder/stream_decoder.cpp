@@ -201,7 +201,7 @@ class StreamDecoder {
       DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry));
       DELTAMESH_TRY(attributes[now], read_attribute(chunk.payload(), descriptor, surface, attributes,
                                                     options_.limits.attribute_bytes - attribute_bytes_,
-                                                    learning_.of_color(now)));
+                                                    learning_.of_attribute(now)));
       attribute_bytes_ += attributes[now].values.size();
     }
     return {};

@@ -18,7 +18,7 @@ class StreamLearning {
   /// Null `start`: fresh models; null `learnt`: what is learnt is not wanted. Owns none of them.
   StreamLearning(const FileHeader& header, const StreamModels* start, StreamModels* learnt)
       : header_(header), start_(start), learnt_(learnt) {
-    if (learnt != nullptr) learnt->colors.resize(header.attributes.size());
+    if (learnt != nullptr) learnt->attributes.resize(header.attributes.size());
   }
 
   Learning<GridModels> of_grid() const {
@@ -38,10 +38,9 @@ class StreamLearning {
     return {start_ != nullptr ? start_->of_lattice() : nullptr,
             learns ? &learnt_->lattice.emplace() : nullptr};
   }
-  Learning<ColorModels> of_color(std::size_t attribute) const {
-    const bool learns = learnt_ != nullptr && header_.attributes[attribute].kind == AttributeKind::kColor;
-    return {start_ != nullptr ? start_->of_color(attribute) : nullptr,
-            learns ? &learnt_->colors[attribute].emplace() : nullptr};
+  Learning<AttributeModels> of_attribute(std::size_t attribute) const {
+    return {start_ != nullptr ? start_->of_attribute(attribute) : nullptr,
+            learnt_ != nullptr ? &learnt_->attributes[attribute] : nullptr};
   }
 
  private:

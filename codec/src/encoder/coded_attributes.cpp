@@ -41,7 +41,7 @@ Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& top
   for (const bool after_others : {false, true}) {
     for (std::size_t i = 0; i < attributes.size(); ++i) {
       if (decoded_after_others(attributes[i].kind) != after_others) continue;
-      settings.start = states != nullptr ? states->models().of_color(i) : nullptr;
+      settings.start = states != nullptr ? states->models().of_attribute(i) : nullptr;
       DELTAMESH_TRY(coded[i],
                     write_attribute(attributes[i], topology.vertex_order(), settings, surface, decoded));
       decoded[i] = std::move(coded[i].decoded);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "attributes/colors/coder.h"
+#include "attributes/models.h"
 #include "connectivity/faces/op_models.h"
 #include "entropy/coder/learning.h"
 #include "format/predictive_parameters.h"
@@ -23,21 +23,20 @@ struct StreamModels {
   std::optional<OpModels> ops;
   std::optional<LatticeModels> lattice;
   std::unique_ptr<GridModels> grid;
-  std::vector<std::optional<ColorModels>> colors;  ///< by attribute
-  std::optional<PredictiveParameters> voxels;      ///< of a stream with voxel edges
+  std::vector<AttributeModels> attributes;
+  std::optional<PredictiveParameters> voxels;  ///< of a stream with voxel edges
 
   const OpModels* of_ops() const noexcept { return ops ? &*ops : nullptr; }
   const LatticeModels* of_lattice() const noexcept { return lattice ? &*lattice : nullptr; }
-  const ColorModels* of_color(std::size_t attribute) const noexcept {
-    return attribute < colors.size() && colors[attribute] ? &*colors[attribute] : nullptr;
+  const AttributeModels* of_attribute(std::size_t attribute) const noexcept {
+    return attribute < attributes.size() ? &attributes[attribute] : nullptr;
   }
 
   void limit_counts(std::uint8_t most) noexcept {
     if (ops) ops->limit_counts(most);
     if (lattice) lattice->limit_counts(most);
     if (grid) grid->limit_counts(most);
-    for (auto& models : colors)
-      if (models) models->limit_counts(most);
+    for (AttributeModels& models : attributes) models.limit_counts(most);
   }
 };
 

@@ -24,9 +24,21 @@ namespace deltamesh {
 template <class Coder, unsigned kAxes, class Source>
 class HaarCoder {
  public:
-  /// `levels` and `source` must outlive the coder.
-  HaarCoder(Coder& coder, std::span<const HaarLevel> levels, std::uint32_t step, const Source& source)
-      : coder_(coder), levels_(levels), steps_(step), source_(source), numbers_(coder) {}
+  /// `levels` and `source` must outlive the coder. `start`: null for fresh models.
+  HaarCoder(Coder& coder, std::span<const HaarLevel> levels, std::uint32_t step, const Source& source,
+            const HaarModels* start)
+      : coder_(coder),
+        levels_(levels),
+        steps_(step),
+        source_(source),
+        models_(start != nullptr ? *start : HaarModels()),
+        numbers_(coder, models_.numbers) {}
+
+  HaarModels models() const {
+    HaarModels models = models_;
+    models.numbers = numbers_.models();
+    return models;
+  }
 
   /// The vertices' records, with their values as readers have them. May be called once; there is a vertex. A
   /// reader that fails stops soon; what it returns is of no use then.

@@ -24,7 +24,7 @@ constexpr std::uint32_t kMoreSteps = 4;
 /// `picture`: of `rows`.
 std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, ComponentType type,
                                                   const AttributeRows& rows, double rms,
-                                                  const AttributeSurface& surface) {
+                                                  const AttributeSurface& surface, const HaarModels* start) {
   const double unit = picture.fields.scale.unit;  // 1 of colours
   const double slope = picture.fields.axes == 1 ? kSlopeOfOne : kSlope;
   const auto levels = make_haar_levels(surface);
@@ -40,7 +40,7 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
   std::optional<CodedValues<std::byte>> best;
   double kept = 0;
   while (!bracket.is_done()) {
-    auto trial = writer.code(static_cast<std::uint32_t>(bracket.setting()), type);
+    auto trial = writer.code(static_cast<std::uint32_t>(bracket.setting()), type, start);
     const double reached = bounded_rms(type, rows, trial.values);
     if (!bracket.tell(excess_of_load(reached / rms))) continue;
     best = std::move(trial);
@@ -50,7 +50,7 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
   const auto step = static_cast<std::uint32_t>(bracket.best());
   for (std::uint32_t i = 1; best && i <= kMoreSteps && kept < (1 - kTolerance) * rms; ++i) {
     if (step + i > kMostHaarStep) break;
-    auto trial = writer.code(step + i, type);
+    auto trial = writer.code(step + i, type, start);
     const double reached = bounded_rms(type, rows, trial.values);
     if (reached > rms || reached <= kept) continue;
     best = std::move(trial);
@@ -62,17 +62,19 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
 }  // namespace
 
 std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
-                                                        double rms, const AttributeSurface& surface) {
+                                                        double rms, const AttributeSurface& surface,
+                                                        const HaarModels* start) {
   auto picture = picture_of_colors(type, rows);
   if (!picture) return std::nullopt;
-  return search_step(*std::move(picture), type, rows, rms, surface);
+  return search_step(*std::move(picture), type, rows, rms, surface, start);
 }
 
 std::optional<CodedValues<std::byte>> write_haar_numbers(ComponentType type, const AttributeRows& rows,
-                                                         double rms, const AttributeSurface& surface) {
+                                                         double rms, const AttributeSurface& surface,
+                                                         const HaarModels* start) {
   auto picture = picture_of_numbers(type, rows);
   if (!picture) return std::nullopt;
-  return search_step(*std::move(picture), type, rows, rms, surface);
+  return search_step(*std::move(picture), type, rows, rms, surface, start);
 }
 
 }  // namespace deltamesh

@@ -24,6 +24,7 @@ inline constexpr std::size_t kHaarScaleClasses = 26;     ///< 21, and 5 of sizes
 inline constexpr std::size_t kHaarAroundClasses = 12;
 inline constexpr std::size_t kHaarWeightClasses = 3;
 
+/// Some 32 kB.
 struct HaarModels {
   HaarModels() {
     for (std::size_t scale = 0; scale < kHaarScaleClasses; ++scale)
@@ -38,6 +39,12 @@ struct HaarModels {
   std::array<SymbolModels, 2> symbols{SymbolModels(kHaarScaleClasses * kPerScale),
                                       SymbolModels(kHaarAroundClasses* kPerAround)};
   std::array<MixWeights, (kHaarScaleClasses + 3) / 4 * kHaarAxes> weights;
+  SplitNumberModels numbers;
+
+  void limit_counts(std::uint8_t most) noexcept {
+    for (SymbolModels& models : symbols) models.limit_counts(most);
+    numbers.limit_counts(most);
+  }
 
  private:
   /// Falls by size / (size + 12) from number to number on both sides of 0, sizes being the class's; 1 at

@@ -15,15 +15,19 @@ struct NoHaarSource {};
 
 template <unsigned kAxes>
 LargeVector<HaarRecord> read_haar_axes(CompactReader& reader, std::span<const HaarLevel> levels,
-                                       std::uint32_t step) {
+                                       std::uint32_t step, const Learning<HaarModels>& learning) {
   const NoHaarSource nothing;
-  return HaarCoder<CompactReader, kAxes, NoHaarSource>(reader, levels, step, nothing).run();
+  HaarCoder<CompactReader, kAxes, NoHaarSource> coder(reader, levels, step, nothing, learning.start);
+  auto records = coder.run();
+  if (learning.end != nullptr) *learning.end = coder.models();
+  return records;
 }
 
 }  // namespace
 
 Result<std::vector<std::byte>> read_haar_values(std::span<const std::byte> bytes, const Attribute& shape,
-                                                const AttributeSurface& surface) {
+                                                const AttributeSurface& surface,
+                                                const Learning<HaarModels>& learning) {
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const HaarFields fields, read_haar_fields(in, shape.components));
   HaarValues values(shape.type, shape.components, surface.vertex_count());
@@ -34,15 +38,15 @@ Result<std::vector<std::byte>> read_haar_values(std::span<const std::byte> bytes
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   const auto levels = make_haar_levels(surface);
   CompactReader reader(stream);
-  const auto records = fields.axes == 1 ? read_haar_axes<1>(reader, levels, fields.step)
-                                        : read_haar_axes<kHaarAxes>(reader, levels, fields.step);
+  const auto records = fields.axes == 1 ? read_haar_axes<1>(reader, levels, fields.step, learning)
+                                        : read_haar_axes<kHaarAxes>(reader, levels, fields.step, learning);
   if (shape.components == 1) {
     values.set_numbers(records, fields.scale);
   } else {
     values.set_colors(records, fields.axes);
   }
   if (fields.alpha == HaarAlpha::kConstant) values.set_alpha(fields.alpha_level);
-  if (fields.alpha == HaarAlpha::kCoded) values.set_alpha(read_haar_axes<1>(reader, levels, fields.step));
+  if (fields.alpha == HaarAlpha::kCoded) values.set_alpha(read_haar_axes<1>(reader, levels, fields.step, {}));
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   return values.take();
 }

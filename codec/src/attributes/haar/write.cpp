@@ -97,9 +97,10 @@ HaarMeans means_of(LargeVector<HaarMean> values, std::span<const HaarLevel> leve
 
 template <unsigned kAxes>
 LargeVector<HaarRecord> write_haar_axes(CompactWriter& writer, const HaarMeans& means,
-                                        std::span<const HaarLevel> levels, std::uint32_t step) {
+                                        std::span<const HaarLevel> levels, std::uint32_t step,
+                                        const HaarModels* start) {
   const HaarSource<kAxes> source(means, levels);
-  return HaarCoder<CompactWriter, kAxes, HaarSource<kAxes>>(writer, levels, step, source).run();
+  return HaarCoder<CompactWriter, kAxes, HaarSource<kAxes>>(writer, levels, step, source, start).run();
 }
 
 }  // namespace
@@ -112,7 +113,8 @@ HaarWriter::HaarWriter(HaarPicture picture, std::span<const HaarLevel> levels)
   if (fields_.alpha == HaarAlpha::kCoded) alpha_ = means_of(std::move(picture.alpha), levels);
 }
 
-CodedValues<std::byte> HaarWriter::code(std::uint32_t step, ComponentType type) const {
+CodedValues<std::byte> HaarWriter::code(std::uint32_t step, ComponentType type,
+                                        const HaarModels* start) const {
   HaarFields fields = fields_;
   fields.step = step;
   ByteWriter out;
@@ -122,8 +124,9 @@ CodedValues<std::byte> HaarWriter::code(std::uint32_t step, ComponentType type) 
   if (rows > 0) {
     CompactWriter writer;
     writer.reserve(std::size_t{fields_.axes} * rows);
-    const auto records = fields_.axes == 1 ? write_haar_axes<1>(writer, values_, levels_, step)
-                                           : write_haar_axes<kHaarAxes>(writer, values_, levels_, step);
+    const auto records = fields_.axes == 1
+                             ? write_haar_axes<1>(writer, values_, levels_, step, start)
+                             : write_haar_axes<kHaarAxes>(writer, values_, levels_, step, start);
     if (components_ == 1) {
       values.set_numbers(records, fields_.scale);
     } else {
@@ -131,7 +134,7 @@ CodedValues<std::byte> HaarWriter::code(std::uint32_t step, ComponentType type) 
     }
     if (fields_.alpha == HaarAlpha::kConstant) values.set_alpha(fields_.alpha_level);
     if (fields_.alpha == HaarAlpha::kCoded)
-      values.set_alpha(write_haar_axes<1>(writer, alpha_, levels_, step));
+      values.set_alpha(write_haar_axes<1>(writer, alpha_, levels_, step, nullptr));
     out.write_bytes(writer.finish());
   }
   return {.bytes = out.take(), .values = values.take()};

@@ -17,6 +17,8 @@
 
 namespace deltamesh {
 
+struct HaarModels;
+
 /// By level of the transform and node: the means of its vertices' values.
 using HaarMeans = std::vector<LargeVector<HaarMean>>;
 
@@ -26,8 +28,9 @@ class HaarWriter {
   HaarWriter(HaarPicture picture, std::span<const HaarLevel> levels);
 
   /// `step`: of a coefficient, 64ths of a level, 1 to kMostHaarStep; the rms of all errors is about 0.3 of
-  /// it. `type`: of the values. O(n).
-  CodedValues<std::byte> code(std::uint32_t step, ComponentType type) const;
+  /// it. `type`: of the values. `start`: null for fresh models; those of alpha always are. O(n).
+  CodedValues<std::byte> code(std::uint32_t step, ComponentType type,
+                              const HaarModels* start = nullptr) const;
 
  private:
   std::span<const HaarLevel> levels_;

@@ -13,8 +13,11 @@
 #include "attributes/surface.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
+#include "entropy/coder/learning.h"
 
 namespace deltamesh {
+
+struct AttributeModels;
 
 constexpr bool is_rare(AttributeCoding coding) noexcept { return coding >= AttributeCoding::kLattice; }
 
@@ -22,6 +25,7 @@ constexpr bool is_rare(AttributeCoding coding) noexcept { return coding >= Attri
 /// weights, of every vertex. Errors: as those of each coding.
 Result<std::vector<std::byte>> read_rare_values(AttributeCoding coding, std::span<const std::byte> bytes,
                                                 const Attribute& shape, const AttributeSurface& surface,
-                                                std::span<const JointRow> joints);
+                                                std::span<const JointRow> joints,
+                                                const Learning<AttributeModels>& learning = {});
 
 }  // namespace deltamesh
