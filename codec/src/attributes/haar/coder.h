@@ -45,7 +45,7 @@ class HaarCoder {
 
  private:
   HaarRecord root() {
-    HaarRecord record{.lanes = {}, .place = levels_.back().nodes[0].place};
+    HaarRecord record{.lanes = {}, .node = levels_.back().nodes[0]};
     for (std::size_t t = 0; t < kAxes; ++t) {
       std::uint32_t bits = 0;
       if constexpr (Coder::kWrites) bits = static_cast<std::uint32_t>(source_.root(t) - kLeastHaarValue);
@@ -124,8 +124,8 @@ class HaarCoder {
       of_second[HaarRecord::kSizes + t] = of_first[HaarRecord::kSizes + t];
       coded = t == 0 ? size_now : (coded + size_now) >> 1;
     }
-    first = {.lanes = of_first, .place = fine.nodes[pair.first].place};
-    second = {.lanes = of_second, .place = fine.nodes[pair.second].place};
+    first = {.lanes = of_first, .node = fine.nodes[pair.first]};
+    second = {.lanes = of_second, .node = fine.nodes[pair.second]};
   }
 
   static constexpr std::int64_t kMost = 1 << 16;

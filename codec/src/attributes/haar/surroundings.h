@@ -25,7 +25,7 @@ struct HaarRecord {
   /// By axis: values in the first lanes; from kSizes on sizes of coefficients around here, 16ths of a step.
   /// All others 0.
   EightShorts lanes;
-  HaarPlace place;
+  HaarNode node;
 
   std::int16_t value(std::size_t axis) const noexcept { return lanes[axis]; }
   std::int16_t size(std::size_t axis) const noexcept { return lanes[kSizes + axis]; }
@@ -58,9 +58,9 @@ class HaarNeighborhood {
 
   template <unsigned kAxes>
   HaarSurroundings look(const HaarChildren& pair, const HaarRecord& parent) const noexcept {
-    const HaarPlace& first = level_.nodes[pair.first].place;
-    const HaarPlace& second = level_.nodes[pair.second].place;
-    const std::uint32_t unit = log_class<4>(std::max<std::uint64_t>(squared_distance(first, second), 1));
+    const FourInts first = level_.nodes[pair.first].lanes();
+    const FourInts second = level_.nodes[pair.second].lanes();
+    const std::uint32_t unit = distance_class(first - second);
     const Sums a = sum(pair.first, pair.second, first, unit, parent);
     const Sums b = sum(pair.second, pair.first, second, unit, parent);
     HaarSurroundings around;
@@ -97,7 +97,7 @@ class HaarNeighborhood {
     FourInts sizes{};
   };
 
-  Sums sum(std::uint32_t child, std::uint32_t sibling, const HaarPlace& place, std::uint32_t unit,
+  Sums sum(std::uint32_t child, std::uint32_t sibling, FourInts place, std::uint32_t unit,
            const HaarRecord& parent) const noexcept {
     Sums sums;
     const auto neighbors = level_.graph.of(child);
@@ -106,8 +106,8 @@ class HaarNeighborhood {
       const bool has_second = k + 1 < neighbors.size();
       const std::uint32_t j = neighbors[k];
       const std::uint32_t l = neighbors[has_second ? k + 1 : k];
-      const std::int32_t share_of_j = j == sibling ? 0 : share(j, place, unit);
-      const std::int32_t share_of_l = !has_second || l == sibling ? 0 : share(l, place, unit);
+      const std::int32_t share_of_j = share(j, place, unit, j == sibling);
+      const std::int32_t share_of_l = share(l, place, unit, !has_second | (l == sibling));
       const EightShorts shares = in_turns(share_of_j, share_of_l);
       sums.shares += static_cast<std::uint32_t>(share_of_j + share_of_l);
       const EightShorts way_of_j = way(records_[j], parent);
@@ -119,12 +119,16 @@ class HaarNeighborhood {
     return sums;
   }
 
-  std::int32_t share(std::uint32_t neighbor, const HaarPlace& place, std::uint32_t unit) const noexcept {
-    const std::uint64_t distance =
-        std::max<std::uint64_t>(squared_distance(records_[neighbor].place, place), 1);
-    const std::uint32_t octaves = log_class<4>(distance) + kHaarShareReach;
-    const std::uint32_t index = octaves - std::min(octaves, unit);
-    return kHaarShares[std::min<std::size_t>(index, kHaarShares.size() - 1)];
+  static std::uint32_t distance_class(FourInts difference) noexcept {
+    return log_class<4>(std::max(squared_distance(difference), 1.0));
+  }
+  /// `is_none`: then it is as far off as possible, where shares are 0.
+  std::int32_t share(std::uint32_t neighbor, FourInts place, std::uint32_t unit,
+                     bool is_none) const noexcept {
+    static_assert(kHaarShares.back() == 0);
+    const std::uint32_t octaves = distance_class(records_[neighbor].node.lanes() - place) + kHaarShareReach;
+    const std::size_t index = octaves - std::min(octaves, unit) + (is_none ? kHaarShares.size() : 0);
+    return kHaarShares[std::min(index, kHaarShares.size() - 1)];
   }
 
   static EightShorts way(const HaarRecord& record, const HaarRecord& parent) noexcept {
