@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -31,12 +32,28 @@ struct HaarRecord {
   std::int16_t size(std::size_t axis) const noexcept { return lanes[kSizes + axis]; }
 };
 
+/// The lanes of a record, axis by axis. In two registers: what is stored in pieces is slow to load as a
+/// whole.
+class HaarLanes {
+ public:
+  /// Once for each axis.
+  void set(std::size_t axis, std::int16_t value, std::int16_t size) noexcept {
+    halves_[0] |= std::uint64_t{static_cast<std::uint16_t>(value)} << (16 * axis);
+    halves_[1] |= std::uint64_t{static_cast<std::uint16_t>(size)} << (16 * axis);
+  }
+  EightShorts lanes() const noexcept { return std::bit_cast<EightShorts>(halves_); }
+
+ private:
+  static_assert(HaarRecord::kSizes == 4);
+  std::array<std::uint64_t, 2> halves_{};
+};
+
 /// Shares of neighbours by the octaves of squared distances over that of the children: 128 / (d + 3/4)^2,
-/// rounded down [HAAR-8].
+/// rounded down [HAAR-8]; 0 from 2 * kHaarShareReach on. All distances that there are have one.
 inline constexpr std::uint32_t kHaarShareReach = 64;  ///< 16ths of an octave to both sides
 inline constexpr auto kHaarShares = [] {
-  std::array<std::uint16_t, 2 * kHaarShareReach> shares{};
-  for (std::uint32_t i = 0; i < shares.size(); ++i) {
+  std::array<std::uint16_t, 2048> shares{};
+  for (std::uint32_t i = 0; i < 2 * kHaarShareReach; ++i) {
     const std::uint64_t d = std::uint64_t{16 + i % 16} << (i / 16);  // 256 times the ratio
     shares[i] = static_cast<std::uint16_t>((std::uint64_t{128} << 16) / ((d + 192) * (d + 192)));
   }
@@ -122,13 +139,12 @@ class HaarNeighborhood {
   static std::uint32_t distance_class(FourInts difference) noexcept {
     return log_class<4>(std::max(squared_distance(difference), 1.0));
   }
-  /// `is_none`: then it is as far off as possible, where shares are 0.
+  /// `is_none`: then it is so far off that its share is 0.
   std::int32_t share(std::uint32_t neighbor, FourInts place, std::uint32_t unit,
                      bool is_none) const noexcept {
-    static_assert(kHaarShares.back() == 0);
+    constexpr std::uint32_t kFarOff = kHaarShares.size() / 2;
     const std::uint32_t octaves = distance_class(records_[neighbor].node.lanes() - place) + kHaarShareReach;
-    const std::size_t index = octaves - std::min(octaves, unit) + (is_none ? kHaarShares.size() : 0);
-    return kHaarShares[std::min(index, kHaarShares.size() - 1)];
+    return kHaarShares[octaves - std::min(octaves, unit) + (is_none ? kFarOff : 0)];
   }
 
   static EightShorts way(const HaarRecord& record, const HaarRecord& parent) noexcept {
