@@ -57,7 +57,7 @@ class HaarCoder {
 
  private:
   HaarRecord root() {
-    HaarRecord record{.lanes = {}, .place = levels_.back().nodes[0].place};
+    HaarRecord record{.lanes = {}, .node = levels_.back().nodes[0]};
     for (std::size_t t = 0; t < kAxes; ++t) {
       std::uint32_t bits = 0;
       if constexpr (Coder::kWrites) bits = static_cast<std::uint32_t>(source_.root(t) - kLeastHaarValue);
@@ -107,8 +107,8 @@ class HaarCoder {
     const std::size_t weight_class = weight <= 2 ? 0 : (weight <= 8 ? 1 : 2);
     std::uint32_t coded = 0;
     // Stored at once, as both are soon read.
-    EightShorts of_first = parent.lanes;
-    EightShorts of_second = parent.lanes;
+    HaarLanes of_first;
+    HaarLanes of_second;
     for (std::size_t t = 0; t < kAxes; ++t) {
       // 16ths of a step.
       const std::uint32_t spread =
@@ -129,15 +129,14 @@ class HaarCoder {
       const std::int64_t difference =
           std::clamp<std::int64_t>(around.difference[t] + number * step.size, -kMost, kMost);
       const std::int64_t low = parent.value(t) - ((difference * pair.share_of_first) >> 16);
-      of_first[t] = clamp_haar_value(low + difference);
-      of_second[t] = clamp_haar_value(low);
       const std::uint32_t size_now = 16 * std::min(whole, kMostSize);
-      of_first[HaarRecord::kSizes + t] = static_cast<std::int16_t>((5 * size_now + 3 * size) >> 3);
-      of_second[HaarRecord::kSizes + t] = of_first[HaarRecord::kSizes + t];
+      const auto size_here = static_cast<std::int16_t>((5 * size_now + 3 * size) >> 3);
+      of_first.set(t, clamp_haar_value(low + difference), size_here);
+      of_second.set(t, clamp_haar_value(low), size_here);
       coded = t == 0 ? size_now : (coded + size_now) >> 1;
     }
-    first = {.lanes = of_first, .place = fine.nodes[pair.first].place};
-    second = {.lanes = of_second, .place = fine.nodes[pair.second].place};
+    first = {.lanes = of_first.lanes(), .node = fine.nodes[pair.first]};
+    second = {.lanes = of_second.lanes(), .node = fine.nodes[pair.second]};
   }
 
   static constexpr std::int64_t kMost = 1 << 16;

@@ -84,8 +84,9 @@ struct HaarContext {
     return static_cast<unsigned>(std::bit_width(expected | kMostHaarUnshifted)) - 6;
   }
   std::size_t around_class(std::uint32_t size) const noexcept {
-    const std::uint32_t size_class = haar_size_class(size);
-    return std::min<std::size_t>((size_class - std::min(size_class, 4 * shift)) / 2, kHaarAroundClasses - 1);
+    const auto size_class = static_cast<std::int32_t>(haar_size_class(size) - 4 * shift);
+    constexpr std::int32_t kMost = kHaarAroundClasses - 1;
+    return static_cast<std::size_t>(std::clamp(size_class >> 1, 0, kMost));
   }
 };
 

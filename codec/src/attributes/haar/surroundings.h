@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,18 +26,34 @@ struct HaarRecord {
   /// By axis: values in the first lanes; from kSizes on sizes of coefficients around here, 16ths of a step.
   /// All others 0.
   EightShorts lanes;
-  HaarPlace place;
+  HaarNode node;
 
   std::int16_t value(std::size_t axis) const noexcept { return lanes[axis]; }
   std::int16_t size(std::size_t axis) const noexcept { return lanes[kSizes + axis]; }
 };
 
+/// The lanes of a record, axis by axis. In two registers: what is stored in pieces is slow to load as a
+/// whole.
+class HaarLanes {
+ public:
+  /// Once for each axis.
+  void set(std::size_t axis, std::int16_t value, std::int16_t size) noexcept {
+    halves_[0] |= std::uint64_t{static_cast<std::uint16_t>(value)} << (16 * axis);
+    halves_[1] |= std::uint64_t{static_cast<std::uint16_t>(size)} << (16 * axis);
+  }
+  EightShorts lanes() const noexcept { return std::bit_cast<EightShorts>(halves_); }
+
+ private:
+  static_assert(HaarRecord::kSizes == 4);
+  std::array<std::uint64_t, 2> halves_{};
+};
+
 /// Shares of neighbours by the octaves of squared distances over that of the children: 128 / (d + 3/4)^2,
-/// rounded down [HAAR-8].
+/// rounded down [HAAR-8]; 0 from 2 * kHaarShareReach on. All distances that there are have one.
 inline constexpr std::uint32_t kHaarShareReach = 64;  ///< 16ths of an octave to both sides
 inline constexpr auto kHaarShares = [] {
-  std::array<std::uint16_t, 2 * kHaarShareReach> shares{};
-  for (std::uint32_t i = 0; i < shares.size(); ++i) {
+  std::array<std::uint16_t, 2048> shares{};
+  for (std::uint32_t i = 0; i < 2 * kHaarShareReach; ++i) {
     const std::uint64_t d = std::uint64_t{16 + i % 16} << (i / 16);  // 256 times the ratio
     shares[i] = static_cast<std::uint16_t>((std::uint64_t{128} << 16) / ((d + 192) * (d + 192)));
   }
@@ -58,9 +75,9 @@ class HaarNeighborhood {
 
   template <unsigned kAxes>
   HaarSurroundings look(const HaarChildren& pair, const HaarRecord& parent) const noexcept {
-    const HaarPlace& first = level_.nodes[pair.first].place;
-    const HaarPlace& second = level_.nodes[pair.second].place;
-    const std::uint32_t unit = log_class<4>(std::max<std::uint64_t>(squared_distance(first, second), 1));
+    const FourInts first = level_.nodes[pair.first].lanes();
+    const FourInts second = level_.nodes[pair.second].lanes();
+    const std::uint32_t unit = distance_class(first - second);
     const Sums a = sum(pair.first, pair.second, first, unit, parent);
     const Sums b = sum(pair.second, pair.first, second, unit, parent);
     HaarSurroundings around;
@@ -97,7 +114,7 @@ class HaarNeighborhood {
     FourInts sizes{};
   };
 
-  Sums sum(std::uint32_t child, std::uint32_t sibling, const HaarPlace& place, std::uint32_t unit,
+  Sums sum(std::uint32_t child, std::uint32_t sibling, FourInts place, std::uint32_t unit,
            const HaarRecord& parent) const noexcept {
     Sums sums;
     const auto neighbors = level_.graph.of(child);
@@ -106,8 +123,8 @@ class HaarNeighborhood {
       const bool has_second = k + 1 < neighbors.size();
       const std::uint32_t j = neighbors[k];
       const std::uint32_t l = neighbors[has_second ? k + 1 : k];
-      const std::int32_t share_of_j = j == sibling ? 0 : share(j, place, unit);
-      const std::int32_t share_of_l = !has_second || l == sibling ? 0 : share(l, place, unit);
+      const std::int32_t share_of_j = share(j, place, unit, j == sibling);
+      const std::int32_t share_of_l = share(l, place, unit, !has_second | (l == sibling));
       const EightShorts shares = in_turns(share_of_j, share_of_l);
       sums.shares += static_cast<std::uint32_t>(share_of_j + share_of_l);
       const EightShorts way_of_j = way(records_[j], parent);
@@ -119,12 +136,15 @@ class HaarNeighborhood {
     return sums;
   }
 
-  std::int32_t share(std::uint32_t neighbor, const HaarPlace& place, std::uint32_t unit) const noexcept {
-    const std::uint64_t distance =
-        std::max<std::uint64_t>(squared_distance(records_[neighbor].place, place), 1);
-    const std::uint32_t octaves = log_class<4>(distance) + kHaarShareReach;
-    const std::uint32_t index = octaves - std::min(octaves, unit);
-    return kHaarShares[std::min<std::size_t>(index, kHaarShares.size() - 1)];
+  static std::uint32_t distance_class(FourInts difference) noexcept {
+    return log_class<4>(std::max(squared_distance(difference), 1.0));
+  }
+  /// `is_none`: then it is so far off that its share is 0.
+  std::int32_t share(std::uint32_t neighbor, FourInts place, std::uint32_t unit,
+                     bool is_none) const noexcept {
+    constexpr std::uint32_t kFarOff = kHaarShares.size() / 2;
+    const std::uint32_t octaves = distance_class(records_[neighbor].node.lanes() - place) + kHaarShareReach;
+    return kHaarShares[octaves - std::min(octaves, unit) + (is_none ? kFarOff : 0)];
   }
 
   static EightShorts way(const HaarRecord& record, const HaarRecord& parent) noexcept {

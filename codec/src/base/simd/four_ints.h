@@ -34,6 +34,11 @@ inline FourInts four_ints(const std::array<std::int32_t, 3>& numbers) noexcept {
                               simde_mm_cvtsi32_si128(numbers[2])));
 }
 
+/// The first two lanes.
+inline TwoDoubles low_doubles(FourInts lanes) noexcept {
+  return reinterpret_cast<TwoDoubles>(simde_mm_cvtepi32_pd(reinterpret_cast<simde__m128i>(lanes)));
+}
+
 /// All but the last, in pieces that four_ints() soon after finds as they were written.
 inline void store_three(FourInts lanes, std::array<std::int32_t, 3>& numbers) noexcept {
   simde_mm_storel_epi64(reinterpret_cast<simde__m128i*>(numbers.data()),

@@ -174,8 +174,8 @@ TEST(HaarColors, HAAR9AWayUpIsExpectedToGoOn) {
   mesh.triangles = {0, 1, 1, 1, 2, 2, 2, 3, 3};
   const HaarLevel level = make_haar_levels(mesh.surface())[0];
   std::vector<HaarRecord> records(4);
-  for (std::size_t i = 0; i < 4; ++i) records[i].place = level.nodes[i].place;
-  const HaarRecord parent{.lanes = EightShorts{320, 0, 0, 0, 48}, .place = {}};
+  for (std::size_t i = 0; i < 4; ++i) records[i].node = level.nodes[i];
+  const HaarRecord parent{.lanes = EightShorts{320, 0, 0, 0, 48}, .node = {}};
   records[0].lanes = EightShorts{0, 0, 0, 0, 32};
   records[3].lanes = EightShorts{640, 0, 0, 0, 32};
   const auto around = HaarNeighborhood(level, records.data()).look<3>({1, 2, 32768}, parent);

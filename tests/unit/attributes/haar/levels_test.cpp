@@ -72,13 +72,15 @@ bool equal(const std::vector<HaarLevel>& a, const std::vector<HaarLevel>& b) {
 }
 
 TEST(HaarLevels, HAAR1LogarithmsOfWholeNumbers) {
-  EXPECT_EQ(log_class<2>(1), 0U);
-  EXPECT_EQ(log_class<2>(3), 6U);
-  EXPECT_EQ(log_class<4>(2), 16U);
-  EXPECT_EQ(log_class<4>(33), 16U * 5);
-  EXPECT_EQ(log_class<4>(34), 16U * 5 + 1);
-  EXPECT_EQ(log_class<8>(1000), 256U * 9 + (1000U - 512) / 2);
+  EXPECT_EQ(log_class<2>(1U), 0U);
+  EXPECT_EQ(log_class<2>(3U), 6U);
+  EXPECT_EQ(log_class<4>(2U), 16U);
+  EXPECT_EQ(log_class<4>(33U), 16U * 5);
+  EXPECT_EQ(log_class<4>(34U), 16U * 5 + 1);
+  EXPECT_EQ(log_class<8>(1000U), 256U * 9 + (1000U - 512) / 2);
   EXPECT_EQ(log_class<8>(std::numeric_limits<std::uint64_t>::max()), 256U * 64 - 1);
+  for (std::uint64_t x = 1; x < std::uint64_t{1} << 53; x = x * 9 / 8 + 1)
+    EXPECT_EQ(log_class<8>(x), log_class<8>(static_cast<double>(x))) << x;
 }
 
 TEST(HaarLevels, HAAR2PlacesFillTheRangeWhateverThePositions) {

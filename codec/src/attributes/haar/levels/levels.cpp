@@ -2,7 +2,10 @@
 // Copyright 2026 The deltamesh authors
 #include "attributes/haar/levels/levels.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include "attributes/haar/levels/pairing.h"
@@ -24,24 +27,26 @@ Adjacency join_graph(const HaarLevel& fine, const LargeVector<HaarChildren>& chi
                      const LargeVector<std::uint32_t>& parents) {
   Adjacency graph;
   graph.offsets.resize(children.size() + 1);
-  graph.neighbors.reserve(fine.graph.neighbors.size());
-  graph.offsets[0] = 0;
+  graph.neighbors.resize(fine.graph.neighbors.size());
   LargeVector<std::uint32_t> last_seen_by(children.size(), HaarChildren::kNone);
+  std::uint32_t end = 0;
   for (std::uint32_t i = 0; i < children.size(); ++i) {
+    graph.offsets[i] = end;
     last_seen_by[i] = i;
-    std::uint32_t room = kMostHaarNeighbors;
     for (const std::uint32_t child : {children[i].first, children[i].second}) {
       if (child == HaarChildren::kNone) break;
       for (const std::uint32_t neighbor : fine.graph.of(child)) {
         const std::uint32_t j = parents[neighbor];
-        if (last_seen_by[j] == i || room == 0) continue;
+        // Overwritten where it was there already: a branch would often go wrong.
+        graph.neighbors[end] = j;
+        end += last_seen_by[j] != i ? 1 : 0;
         last_seen_by[j] = i;
-        graph.neighbors.push_back(j);
-        --room;
       }
     }
-    graph.offsets[i + 1] = static_cast<std::uint32_t>(graph.neighbors.size());
+    end = std::min(end, graph.offsets[i] + kMostHaarNeighbors);
   }
+  graph.offsets.back() = end;
+  graph.neighbors.resize(end);
   return graph;
 }
 
@@ -58,40 +63,48 @@ HaarLevel first_haar_level(const AttributeSurface& surface) {
   level.graph.offsets[0] = 0;
   for (std::uint32_t v = 0; v < n; ++v) {
     level.nodes[v] = {.place = places[v], .weight = 1};
-    const auto add = [&](std::uint32_t u) {
-      if (level.graph.neighbors.size() - level.graph.offsets[v] < kMostHaarNeighbors)
-        level.graph.neighbors.push_back(u);
+    std::uint32_t room = kMostHaarNeighbors;
+    const auto add = [&](std::span<const std::uint32_t> more) {
+      more = more.first(std::min<std::size_t>(more.size(), room));
+      room -= static_cast<std::uint32_t>(more.size());
+      level.graph.neighbors.insert(level.graph.neighbors.end(), more.begin(), more.end());
     };
     const auto is_copy = [&](std::uint32_t u) { return surface.geometric_of(u) == surface.geometric_of(v); };
-    if (v > 0 && is_copy(v - 1)) add(v - 1);
-    if (v + 1 < n && is_copy(v + 1)) add(v + 1);
-    for (const std::uint32_t u : graph.of(v)) add(u);
+    if (v > 0 && is_copy(v - 1)) add(std::array{v - 1});
+    if (v + 1 < n && is_copy(v + 1)) add(std::array{v + 1});
+    add(graph.of(v));
     level.graph.offsets[v + 1] = static_cast<std::uint32_t>(level.graph.neighbors.size());
   }
   return level;
 }
 
 HaarLevel next_haar_level(const HaarLevel& fine, const LargeVector<std::uint32_t>& mates) {
-  HaarLevel level;
+  // Of every node the first child, and the parents of all.
+  LargeVector<std::uint32_t> firsts(mates.size());
   LargeVector<std::uint32_t> parents(mates.size());
-  level.nodes.reserve(mates.size());
-  level.children.reserve(mates.size());
+  std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < mates.size(); ++i) {
-    const std::uint32_t mate = mates[i];
-    if (mate < i) continue;
-    parents[i] = static_cast<std::uint32_t>(level.nodes.size());
-    parents[mate] = parents[i];
+    firsts[count] = i;
+    parents[i] = count;
+    parents[i] = parents[std::min(i, mates[i])];
+    count += mates[i] >= i ? 1 : 0;
+  }
+  HaarLevel level;
+  level.nodes.resize(count);
+  level.children.resize(count);
+  for (std::uint32_t parent = 0; parent < count; ++parent) {
+    const std::uint32_t i = firsts[parent];
     const HaarNode& node = fine.nodes[i];
-    if (mate == i) {
-      level.children.push_back({.first = i, .second = HaarChildren::kNone, .share_of_first = 0});
-      level.nodes.push_back(node);
+    if (mates[i] == i) {
+      level.children[parent] = {.first = i, .second = HaarChildren::kNone, .share_of_first = 0};
+      level.nodes[parent] = node;
       continue;
     }
-    const HaarNode& other = fine.nodes[mate];
+    const HaarNode& other = fine.nodes[mates[i]];
     const auto share = static_cast<std::uint32_t>((std::uint64_t{node.weight} << 16) /
                                                   (std::uint64_t{node.weight} + other.weight));
-    level.children.push_back({.first = i, .second = mate, .share_of_first = share});
-    level.nodes.push_back(join_nodes(node, other, share));
+    level.children[parent] = {.first = i, .second = mates[i], .share_of_first = share};
+    level.nodes[parent] = join_nodes(node, other, share);
   }
   level.graph = join_graph(fine, level.children, parents);
   return level;

@@ -5,6 +5,7 @@
 // transform over a mesh runs on. Whole numbers only.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "attributes/haar/levels/places.h"
 #include "attributes/surface.h"
 #include "base/memory/large_vector.h"
+#include "base/simd/four_ints.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -19,6 +21,8 @@ namespace deltamesh {
 struct HaarNode {
   HaarPlace place;       ///< mean of its vertices, rounded
   std::uint32_t weight;  ///< how many vertices it has
+
+  FourInts lanes() const noexcept { return std::bit_cast<FourInts>(*this); }
 };
 
 /// The nodes of the finer level that a node consists of.

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/memory/large_vector.h"
+#include "base/simd/four_ints.h"
 
 namespace deltamesh {
 
@@ -20,13 +21,13 @@ using HaarPlace = std::array<std::int32_t, 3>;
 /// n places. `positions`: n x 3 floats of any value, or empty: then all places are 0. O(n).
 LargeVector<HaarPlace> make_haar_places(std::span<const float> positions, std::uint32_t vertex_count);
 
-inline std::uint64_t squared_distance(const HaarPlace& a, const HaarPlace& b) noexcept {
-  std::uint64_t sum = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::int64_t way = std::int64_t{a[axis]} - b[axis];
-    sum += static_cast<std::uint64_t>(way * way);
-  }
-  return sum;
+/// The squared distance of two places, whose differences the first three lanes are. A whole number below
+/// 2^42, which doubles compute exactly.
+inline double squared_distance(FourInts difference) noexcept {
+  const TwoDoubles xy = low_doubles(difference);
+  const TwoDoubles squares = xy * xy;
+  const double z = low_doubles(pick_lanes<2, 3, 2, 3>(difference))[0];
+  return squares[0] + squares[1] + z * z;
 }
 
 }  // namespace deltamesh

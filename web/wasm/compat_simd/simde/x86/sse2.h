@@ -11,6 +11,7 @@
 #define simde_mm_and_si128 _mm_and_si128
 #define simde_mm_andnot_si128 _mm_andnot_si128
 #define simde_mm_castsi128_ps _mm_castsi128_ps
+#define simde_mm_cvtepi32_pd _mm_cvtepi32_pd
 #define simde_mm_cvtps_epi32 _mm_cvtps_epi32
 #define simde_mm_cvtsi128_si64 _mm_cvtsi128_si64
 #define simde_mm_cvtsi32_si128 _mm_cvtsi32_si128
