@@ -28,8 +28,9 @@ class Congestion {
   }
 
   double limit() const noexcept { return limit_; }
-  /// Seconds that a reply takes at the most where nothing queues up.
-  double longest() const noexcept { return std::max(kLongest, 2 * least_); }
+  /// Seconds that a reply takes at the most where nothing queues up. The shortest round trip may have been in
+  /// a queue too.
+  double longest() const noexcept { return std::clamp(2 * least_, kLongest, kMostLongest); }
   /// Whether a reply takes so long that there must be a queue, to which the limit is still to follow.
   bool is_too_long(double seconds) const noexcept { return seconds > kTooLong * longest(); }
   /// The shortest round trip so far: that without a queue, seconds; infinite: none.
@@ -40,6 +41,7 @@ class Congestion {
   static constexpr double kWhile = 0.2;        // seconds
   static constexpr double kShort = 0.75;       // of the longest: there may be more
   static constexpr double kLongest = 1;        // seconds, or twice the shortest round trip
+  static constexpr double kMostLongest = 2;    // seconds
   static constexpr double kTooLong = 1.5;      // of the longest
   static constexpr double kLeastLimit = 1024;  // bytes; one message may be on the way in any case
 

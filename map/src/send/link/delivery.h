@@ -61,8 +61,8 @@ class Delivery {
   /// Numbers of messages that are taken to be lost, ascending: later ones have come, or a reply is overdue.
   /// Where replies are overdue, the next ones may take twice as long.
   std::vector<std::uint64_t> take_lost(double now);
-  /// The last message, where it is unanswered for so long that it is worth a second try: what comes of it
-  /// tells what is lost (RFC 8985, tail loss probe).
+  /// The last message, where it is unanswered for so long that it is worth another try: what comes of it tells
+  /// what is lost (RFC 8985, tail loss probe).
   std::optional<std::uint64_t> probe(double now) const;
   /// Whether receipts still tell of a message of this number.
   bool is_told_of(std::uint64_t number) const noexcept { return number + kReceiptNumbers >= told_; }
@@ -74,7 +74,7 @@ class Delivery {
     return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ == 0;
   }
   /// Bytes that may be sent before they would queue up on their way; one message in any case if it is above
-  /// 0. None while what arrives has waited too long. When nothing was sent for two round trips, one message.
+  /// 0. None while what was sent long ago is not told of. When nothing was sent for two round trips, one message.
   double room(double now) const noexcept;
   /// Whether the receiver has not been heard for so long that nothing is worth sending.
   bool is_silent(double now) const noexcept;
@@ -92,7 +92,7 @@ class Delivery {
   }
   /// Nothing was sent for two round trips, or longer than a reply takes where nothing queues up.
   bool may_probe(double now) const noexcept;
-  /// Late messages come, and the next one of them has waited for long.
+  /// What was sent long ago, and perhaps given up since, may still come: it is in a queue.
   bool is_jammed(double now) const noexcept;
   Messages::iterator erase(Messages::iterator message);
   /// Forgets all but when it was sent.
