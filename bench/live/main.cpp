@@ -168,13 +168,13 @@ bool print_mission(const Settings& settings) {
   constexpr double kMemoryBar = 1.05;
   print(table_head({"tenth of the updates", "MB", "ms an update", "kB an update"}));
   std::size_t told = 0;
-  const MissionResult result = run_mission(
-      value_or_exit(drive_updates(settings.vertices, settings.steps)), {.updates = settings.mission},
-      [&](const MissionTenth& tenth) {
-        print(table_row({number(++told), fixed(tenth.megabytes, 2), fixed(tenth.milliseconds, 2),
-                         fixed(tenth.kilobytes, 2)}));
-      });
-  const auto spread = [&](double MissionTenth::* figure) {
+  const MissionResult result =
+      run_mission(value_or_exit(drive_updates(settings.vertices, settings.steps)),
+                  {.updates = settings.mission}, [&](const MissionTenth& tenth) {
+                    print(table_row({number(++told), fixed(tenth.megabytes, 2), fixed(tenth.milliseconds, 2),
+                                     fixed(tenth.kilobytes, 2)}));
+                  });
+  const auto spread = [&](double MissionTenth::*figure) {
     const auto half = std::span(result.tenths).last(result.tenths.size() / 2);
     const auto [least, most] = std::ranges::minmax_element(half, {}, figure);
     return *most.*figure / (*least.*figure);

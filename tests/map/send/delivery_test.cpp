@@ -59,6 +59,19 @@ TEST(MapDelivery, MAP21WhatWasGivenUpAndMayStillComeIsInAQueue) {
   EXPECT_GT(delivery.room(50.1), 1000);
 }
 
+TEST(MapDelivery, MAP21WhatIsSentAgainDoesNotDelayTheNewMessageThatTellsWhetherThereIsAQueue) {
+  Delivery delivery = measured_delivery();
+  const std::uint64_t first = send(delivery, 10);
+  for (int i = 1; i < 10; ++i) delivery.forget(send(delivery, 10));
+  delivery.hear({first - 1, {}}, 12);
+  (void)delivery.send_again(first, 12);
+  EXPECT_EQ(delivery.room(12), 1);
+  const std::uint64_t next = send(delivery, 12);
+  EXPECT_EQ(delivery.room(12.05), 0);
+  delivery.hear({next, {}}, 12.05);
+  EXPECT_GT(delivery.room(12.05), 1000);
+}
+
 TEST(MapDelivery, MAP21TheFirstRepliesMayHaveWaitedInAQueueToo) {
   Delivery delivery;
   std::vector<std::uint64_t> numbers;
