@@ -83,6 +83,16 @@ TEST(MapDelivery, MAP21TheFirstRepliesMayHaveWaitedInAQueueToo) {
   EXPECT_LE(delivery.room(now), 2500);
 }
 
+TEST(MapDelivery, MAP21ALimitGrowsWithTheLargestOfWhatComesInTimeNotTheFirst) {
+  Congestion congestion;
+  congestion.measure(0, 0.3, 0.3, 100, 0.3);
+  congestion.measure(0.5, 3, 3, 3000, 3.5);
+  ASSERT_LE(congestion.limit(), 1024);
+  for (double now = 4.5, flight = 100; now < 4.8; now += 0.05, flight += 150)
+    congestion.measure(4, now - 4, now - 4, flight, now);
+  EXPECT_GE(congestion.limit(), 2048);
+}
+
 TEST(MapDelivery, MAP21WhatComesAfterItWasGivenUpIsMeasured) {
   Delivery delivery = measured_delivery();
   const double before = delivery.timeout();

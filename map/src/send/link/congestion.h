@@ -19,11 +19,12 @@ class Congestion {
   /// the way with it. `at_least`: what it certainly took.
   void measure(double sent, double round_trip, double at_least, double flight, double now) noexcept {
     least_ = std::min(least_, round_trip);
-    if (sent < decided_) return;  // it says nothing of the limit
+    if (sent < changed_) return;  // it says nothing of the limit
     if (at_least < fastest_) {
       fastest_ = at_least;
       flight_ = flight;
     }
+    if (at_least < kShort * longest()) in_time_ = std::max(in_time_, flight);
     if (now - decided_ >= kWhile) decide(now);
   }
 
@@ -46,20 +47,25 @@ class Congestion {
   static constexpr double kLeastLimit = 1024;  // bytes; one message may be on the way in any case
 
   void decide(double now) noexcept {
+    const double before = limit_;
     if (fastest_ > longest()) {
       limit_ = std::max(flight_ / fastest_ * longest(), kLeastLimit);
-    } else if (fastest_ < kShort * longest() && flight_ > limit_ / 2) {
+    } else if (in_time_ > limit_ / 2) {
       limit_ *= 2;
     }
+    if (limit_ != before) changed_ = now;
     fastest_ = kNever;
+    in_time_ = 0;
     decided_ = now;
   }
 
   double least_ = kNever;
   double limit_ = kNever;
-  double fastest_ = kNever;  ///< round trip of messages that were sent since the last decision
+  double fastest_ = kNever;  ///< round trip of messages that were measured since the last decision
   double flight_ = 0;        ///< bytes on the way then
+  double in_time_ = 0;       ///< most bytes on the way of which replies came in time
   double decided_ = 0;       ///< when, seconds
+  double changed_ = 0;       ///< when the limit changed last, seconds
 };
 
 }  // namespace deltamesh
