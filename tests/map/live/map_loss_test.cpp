@@ -177,6 +177,17 @@ TEST_F(MapLoss, MAP21NoViewerIsSilentBecauseAClockWasSet) {
   EXPECT_TRUE(shows(0, 0.75F));
 }
 
+TEST_F(MapLoss, MAP21LittleWaitsOnALinkThatKeepsWhatIsSaidForHalfAMinute) {
+  MapReceiver receiver(2, 1);
+  std::size_t bytes = 0;
+  for (double now = 0; now < 30; now += 0.05) {
+    const auto said = receiver.messages(now);
+    ASSERT_TRUE(said);
+    for (const Bytes& message : *said) bytes += message.size() + 28;  // with headers
+  }
+  EXPECT_LE(bytes, 5000U);
+}
+
 TEST_F(MapLoss, MAP21ReceiptsAreFew) {
   std::size_t messages = 0;
   std::size_t bytes = 0;
