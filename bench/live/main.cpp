@@ -4,13 +4,13 @@
 // How long the display of a receiver stands still over a link that loses messages, and what the map takes
 // there beside a link that loses none. Deterministic: simulated time, and random numbers of a seed.
 #include <algorithm>
-#include <fstream>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "live/first_sight.h"
 #include "live/mission.h"
+#include "live/over_time.h"
 #include "live/run.h"
 #include "live/update_cost.h"
 #include "report/table.h"
@@ -35,7 +35,7 @@ struct Settings {
   double slow_rate = 25'000;
   std::vector<std::uint8_t> copy_levels = {0};
   std::size_t message_bytes = 0;
-  std::string csv;  ///< file for figures over time; empty: none
+  std::string over_time;  ///< folder for figures over time; empty: none
   bool checks = false;
 };
 
@@ -81,35 +81,24 @@ std::string row(const MapUpdates& updates, double round_trip, double loss, const
                     fixed(figures.bytes_back / 1e3 / whole.seconds, 2), fixed(figures.settled, 2)});
 }
 
-/// One line for each time.
-void append_samples(const Settings& settings, const MapUpdates& updates, const LiveSettings& live,
-                    const LiveResult& result) {
-  if (settings.csv.empty()) return;
-  std::ofstream out(settings.csv, std::ios::app);
-  for (const LiveSample& s : result.samples)
-    out << updates.name << ',' << 2e3 * live.link.delay << ',' << 100 * live.link.loss << ',' << live.seed
-        << ',' << s.seconds << ',' << s.bytes << ',' << s.behind << ',' << s.age << '\n';
-}
-
 /// Whether all bars are met.
-bool run_updates(const MapUpdates& updates, const Settings& settings) {
+bool run_updates(const MapUpdates& updates, const Settings& settings, OverTime& over_time) {
   bool is_met = true;
   for (const double round_trip : settings.round_trips) {
     LiveSettings live;
     live.link = {.delay = round_trip / 2, .bytes_per_second = settings.rate};
     live.view_rate = static_cast<std::uint32_t>(settings.rate);
     live.message_bytes = settings.message_bytes;
+    live.has_errors = !settings.over_time.empty();
     const LiveResult whole = run_live(updates, live);
-    append_samples(settings, updates, live, whole);
+    over_time.add(updates.name, live, whole);
     print(row(updates, round_trip, 0, whole, {whole}));
     for (const double loss : settings.losses) {
       live.link.loss = loss;
       std::vector<LiveResult> results;
-      for (live.seed = 1; live.seed <= settings.seeds; ++live.seed)
+      for (live.seed = 1; live.seed <= settings.seeds; ++live.seed) {
         results.push_back(run_live(updates, live));
-      for (std::size_t i = 0; i < results.size(); ++i) {
-        live.seed = static_cast<std::uint32_t>(i + 1);
-        append_samples(settings, updates, live, results[i]);
+        over_time.add(updates.name, live, results.back());
       }
       print(row(updates, round_trip, loss, whole, results));
       const Figures figures = figures_of(results, whole);
@@ -194,14 +183,14 @@ int run(const Settings& settings) {
                     "time in freezes above 1 s, %", "kB an update", "over those without loss", "kB/s back",
                     "settled after, s"}));
   bool is_met = true;
-  if (!settings.csv.empty())
-    std::ofstream(settings.csv)
-        << "sequence,round_trip_ms,loss_percent,seed,seconds,bytes,parts_behind,age_s\n";
+  OverTime over_time;
   for (const std::string& folder : settings.folders)
     is_met &= run_updates(value_or_exit(read_updates(folder, folder.substr(folder.find_last_of('/') + 1))),
-                          settings);
+                          settings, over_time);
   if (settings.steps > 0)
-    is_met &= run_updates(value_or_exit(drive_updates(settings.vertices, settings.steps)), settings);
+    is_met &=
+        run_updates(value_or_exit(drive_updates(settings.vertices, settings.steps)), settings, over_time);
+  if (!settings.over_time.empty() && !over_time.write(settings.over_time)) return 1;
   return is_met || !settings.checks ? 0 : 1;
 }
 
@@ -223,7 +212,8 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--message-bytes", settings.message_bytes, "Of the largest message, both ways; 0: no limit")
       ->capture_default_str();
-  app.add_option("--csv", settings.csv, "File for what receivers have over time");
+  app.add_option("--over-time", settings.over_time,
+                 "Folder for what receivers have over time, as CSV and SVG");
   app.add_option("--mission", settings.mission,
                  "Instead: memory and processor time over so many updates, with ten viewers")
       ->check(CLI::Range(10U, 10'000'000U));
