@@ -40,18 +40,21 @@ class Mission {
     }
   }
 
-  MissionResult run() {
+  MissionResult run(const std::function<void(const MissionTenth&)>& tell) {
     MissionResult result;
     const double before = heap_megabytes();
-    const std::uint32_t quarter = settings_.updates / 4;
-    for (std::uint32_t i = 0; i < 4 * quarter; ++i) {
-      MissionQuarter& sums = result.quarters.at(i / quarter);
+    const std::uint32_t count = settings_.updates / static_cast<std::uint32_t>(result.tenths.size());
+    std::size_t step = 0;
+    for (MissionTenth& tenth : result.tenths) {
       const std::clock_t begin = std::clock();
-      take_step(updates_.steps[i % updates_.steps.size()], sender_);
-      for (std::uint32_t k = 0; k < kExchanges; ++k) exchange(settings_.loss);
-      sums.milliseconds += 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / quarter;
-      sums.megabytes += (heap_megabytes() - before) / quarter;
-      sums.kilobytes += static_cast<double>(std::exchange(bytes_, 0)) / 1e3 / quarter;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        take_step(updates_.steps[step++ % updates_.steps.size()], sender_);
+        for (std::uint32_t k = 0; k < kExchanges; ++k) exchange(settings_.loss);
+        tenth.megabytes += (heap_megabytes() - before) / count;
+      }
+      tenth.milliseconds = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / count;
+      tenth.kilobytes = static_cast<double>(std::exchange(bytes_, 0)) / 1e3 / count;
+      tell(tenth);
     }
     constexpr int kMostExchanges = 4000;
     for (int i = 0; i < kMostExchanges && !result.has_all; ++i) {
@@ -111,8 +114,9 @@ class Mission {
 
 }  // namespace
 
-MissionResult run_mission(const MapUpdates& updates, const MissionSettings& settings) {
-  return Mission(updates, settings).run();
+MissionResult run_mission(const MapUpdates& updates, const MissionSettings& settings,
+                          const std::function<void(const MissionTenth&)>& tell) {
+  return Mission(updates, settings).run(tell);
 }
 
 }  // namespace deltamesh::bench

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "map/updates.h"
 
@@ -18,20 +19,21 @@ struct MissionSettings {
   std::uint32_t seed = 1;
 };
 
-/// Of a quarter of the updates: means.
-struct MissionQuarter {
+/// Of a tenth of the updates: means.
+struct MissionTenth {
   double megabytes = 0;     ///< on the heap, of the sender and all receivers
   double milliseconds = 0;  ///< processor time of all of them, an update
   double kilobytes = 0;     ///< to all receivers, an update
 };
 
 struct MissionResult {
-  std::array<MissionQuarter, 4> quarters{};
+  std::array<MissionTenth, 10> tenths{};
   bool has_all = false;  ///< each receiver's map is the sender's in the end
 };
 
-/// `updates` again and again, so that after the first time the map has all its blocks. Exits where an end
-/// fails.
-MissionResult run_mission(const MapUpdates& updates, const MissionSettings& settings);
+/// `updates` again and again, so that after the first time the map has all its blocks. `tell`: called after
+/// each tenth. Exits where an end fails.
+MissionResult run_mission(const MapUpdates& updates, const MissionSettings& settings,
+                          const std::function<void(const MissionTenth&)>& tell);
 
 }  // namespace deltamesh::bench

@@ -3,10 +3,10 @@
 #include "live/run.h"
 
 #include <algorithm>
-#include <map>
 
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
+#include "live/shown_state.h"
 #include "live/take_step.h"
 #include "support/errors.h"
 
@@ -28,7 +28,8 @@ class LiveRun {
                                               {.message_bytes = settings.message_bytes}))),
         receiver_(1, sender_.description().id, {.message_bytes = settings.message_bytes}),
         down_(settings.link, settings.seed),
-        up_(settings.link, settings.seed + 1000) {
+        up_(settings.link, settings.seed + 1000),
+        error_(kFarOff * updates.voxel) {
     View view;
     view.max_error = static_cast<float>(settings.max_error * updates.voxel);
     view.color_error = 4;
@@ -55,6 +56,7 @@ class LiveRun {
       }
       if (has_occasion || now - called_ >= kSenderPeriod) send(now);
       receive(now);
+      note_idle(now);
       if (tick % kTicksPerSample == 0) sample(now);
       if (now >= result_.seconds && is_settled()) {
         result_.settled = now - result_.seconds;
@@ -82,15 +84,16 @@ class LiveRun {
   }
 
   void sample(double now) {
-    std::size_t behind = 0;
-    std::map<PartKey, std::uint64_t> held;
-    for (const HeldPart& part : receiver_.held()) held[part.entry.key] = part.entry.hash;
-    for (const PartEntry& entry : sender_.entries_of(1)) {
-      const auto found = held.find(entry.key);
-      behind += found == held.end() || found->second != entry.hash ? 1 : 0;
-    }
-    if (behind == 0) complete_ = now;
-    result_.samples.push_back({now, down_.bytes(), behind, now - complete_});
+    const ShownAges::Age age = ages_.at(now, sender_, receiver_);
+    const double error = settings_.has_errors ? error_.of(sender_, receiver_) / updates_.voxel : 0;
+    result_.samples.push_back({now, down_.bytes(), age.behind, age.oldest, error});
+  }
+
+  void note_idle(double now) {
+    const bool is_idle = sender_.hash(1) == receiver_.hash();
+    if (is_idle && !is_idle_) result_.idle.emplace_back(now, now);
+    if (is_idle) result_.idle.back().second = now;
+    is_idle_ = is_idle;
   }
 
   bool is_settled() const {
@@ -118,7 +121,9 @@ class LiveRun {
   Link down_;
   Link up_;
   double called_ = -1;
-  double complete_ = 0;  ///< when the receiver had all that was sent, seconds
+  ShownAges ages_{};
+  ShownError error_;
+  bool is_idle_ = false;
   LiveResult result_;
 };
 
@@ -134,7 +139,10 @@ std::vector<double> freezes(const LiveResult& result, const LiveResult& referenc
     const auto due = std::ranges::upper_bound(reference.changes, begin);
     const double last_idle =
         due == reference.changes.end() ? end : *due - (due == reference.changes.begin() ? *due : kMostIdle);
-    freezes.push_back(std::max(end - std::max(begin, last_idle), 0.0));
+    const auto idle =
+        std::ranges::upper_bound(result.idle, begin, {}, [](const auto& i) { return i.second; });
+    const bool is_idle = idle != result.idle.end() && idle->first <= begin;
+    freezes.push_back(std::max(end - std::max({begin, last_idle, is_idle ? idle->second : begin}), 0.0));
     begin = end;
   }
   return freezes;

@@ -86,8 +86,10 @@ constexpr double kMargin = 1.1;
 
 std::vector<double> coordinates(const Plot& plot, double PlotPoint::*coordinate) {
   std::vector<double> values;
-  for (const PlotSeries& series : plot.series)
+  for (const PlotSeries& series : plot.series) {
     for (const PlotPoint& point : series.points) values.push_back(point.*coordinate);
+    for (const PlotPoint& point : series.line) values.push_back(point.*coordinate);
+  }
   return values;
 }
 

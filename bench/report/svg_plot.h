@@ -26,7 +26,8 @@ struct Plot {
   std::string x_label;
   std::string y_label;
   std::string footnote;
-  std::vector<PlotSeries> series;  ///< at most 6: there are as many styles; together at least one point
+  std::vector<PlotSeries>
+      series;  ///< at most 6: there are as many styles; together at least one point, of a line or by itself
 };
 
 /// Text of the file.

@@ -3,12 +3,14 @@
 #include "receive/arrivals.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace deltamesh {
 namespace {
 
 constexpr double kViewPeriod = 1;  // seconds, all of these
 constexpr double kSoon = 0.25;
+constexpr double kNoAnswer = 3;          // after which a link may be dead, and keep what is said for later
 constexpr double kReceiptPeriod = 0.05;  // as receipts can be lost, what comes is told of twice
 constexpr int kReceipts = 2;
 constexpr double kShare = 0.25;  // of the bytes that come
@@ -30,6 +32,7 @@ bool Arrivals::add(std::uint64_t number) {
 
 void Talk::earn(std::size_t bytes) noexcept {
   credit_ = std::min(credit_ + kShare * static_cast<double>(bytes), kMostCredit);
+  has_come_ = true;
 }
 
 void Talk::came(bool is_gap) noexcept {
@@ -40,9 +43,11 @@ void Talk::came(bool is_gap) noexcept {
 Talk::Turn Talk::turn(double now, bool has_parts) noexcept {
   credit_ = std::min(credit_ + kBytesPerSecond * (now - counted_), kMostCredit);
   counted_ = now;
+  if (std::exchange(has_come_, false)) heard_ = now;
   if (wants_view_) return Turn::kView;
   if (credit_ > 0) {
-    if (now - view_ >= (has_parts && views_ == 0 ? kViewPeriod : kSoon)) return Turn::kView;
+    const bool is_soon = (!has_parts || views_ > 0) && now - heard_ < kNoAnswer;
+    if (now - view_ >= (is_soon ? kSoon : kViewPeriod)) return Turn::kView;
     if (wants_receipt_ || (receipts_ > 0 && now - receipt_ >= kReceiptPeriod)) return Turn::kReceipt;
   }
   return now - receipt_ >= kViewPeriod ? Turn::kReceipt : Turn::kNothing;  // it is still there

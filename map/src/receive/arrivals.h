@@ -52,6 +52,8 @@ class Talk {
   int views_ = kViews;           ///< that are still to be sent soon
   bool wants_receipt_ = false;   ///< at once
   int receipts_ = 0;             ///< that are still to be sent, one by one
+  bool has_come_ = false;        ///< something, since the last turn
+  double heard_ = 0;             ///< when it came, seconds
   double view_ = 0;              ///< when the last one was sent, seconds
   double receipt_ = 0;           ///< or a view
   double credit_ = kMostCredit;  ///< bytes that may be sent; below 0: debts

@@ -66,11 +66,11 @@ Result<void> MapSender::State::tell_pose(Viewer& viewer, double now,
   return {};
 }
 
-Result<void> MapSender::State::make_copies(Viewer& viewer, double now) {
+Result<void> MapSender::State::make_copies(Viewer& viewer, const SeenCells& seen, double now) {
   constexpr double kLongest =
       2;  // seconds: a map that changes faster than copies of it are made goes without
   if (options.split.copy_level == 0 || is_call_over(false)) return {};
-  DELTAMESH_TRY(const bool is_complete, make_copies_for(viewer, map, encodings.codec().description()));
+  DELTAMESH_TRY(const bool is_complete, make_copies_for(viewer, map, encodings.codec().description(), seen));
   if (is_complete) viewer.copies_due_since.reset();
   if (!is_complete && !viewer.copies_due_since) viewer.copies_due_since = now;
   viewer.waits_for_copies = !is_complete && now - *viewer.copies_due_since < kLongest;

@@ -13,9 +13,10 @@ namespace {
 
 class Planner {
  public:
-  Planner(const Viewer& viewer, double waiting_since, const SourceMap& map, Encodings& encodings,
-          KnownVersions& known, bool keeps_good_enough)
+  Planner(const Viewer& viewer, const SeenCells& seen, double waiting_since, const SourceMap& map,
+          Encodings& encodings, KnownVersions& known, bool keeps_good_enough)
       : viewer_(viewer),
+        seen_(seen),
         waiting_since_(waiting_since),
         map_(map),
         encodings_(encodings),
@@ -23,7 +24,7 @@ class Planner {
         keeps_good_enough_(keeps_good_enough) {}
 
   Result<SendPlan> run() {
-    WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description());
+    WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description(), seen_);
     for (const PartKey& key : parts.wanted) {
       if (const Error* fault = encodings_.fault(*map_.find(key), viewer_.view); fault != nullptr)
         plan_.faults.push_back({key, fault->code, fault->message, fault->best_value});
@@ -160,6 +161,7 @@ class Planner {
   }
 
   const Viewer& viewer_;
+  const SeenCells& seen_;
   double waiting_since_;
   const SourceMap& map_;
   Encodings& encodings_;
@@ -188,9 +190,10 @@ Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, co
   return std::optional(version);
 }
 
-Result<SendPlan> plan_for(const Viewer& viewer, double waiting_since, const SourceMap& map,
-                          Encodings& encodings, KnownVersions& known, bool keeps_good_enough) {
-  return Planner(viewer, waiting_since, map, encodings, known, keeps_good_enough).run();
+Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double waiting_since,
+                          const SourceMap& map, Encodings& encodings, KnownVersions& known,
+                          bool keeps_good_enough) {
+  return Planner(viewer, seen, waiting_since, map, encodings, known, keeps_good_enough).run();
 }
 
 }  // namespace deltamesh

@@ -126,7 +126,6 @@ Result<void> MapSender::State::add_messages(Viewer& viewer, double now,
   DELTAMESH_CHECK(tell_pose(viewer, now, messages));
   viewer.send_made(now, messages);
   if (viewer.delivery.has_unsent()) return {};
-  DELTAMESH_CHECK(make_copies(viewer, now));
   return send_what_is_due(viewer, viewer.waiting_since(now), now, messages);
 }
 

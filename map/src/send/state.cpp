@@ -10,6 +10,7 @@
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
 #include "send/coexistence.h"
+#include "send/seen_cells.h"
 
 namespace deltamesh {
 
@@ -157,8 +158,10 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_s
                                                 std::vector<std::vector<std::byte>>& messages) {
   for (bool is_complete = false; !is_complete;) {
     is_complete = true;
+    const SeenCells seen(viewer, map, encodings.codec().description());
+    DELTAMESH_CHECK(make_copies(viewer, seen, now));
     DELTAMESH_TRY(SendPlan plan,
-                  plan_for(viewer, waiting_since, map, encodings, known, options.keeps_good_enough));
+                  plan_for(viewer, seen, waiting_since, map, encodings, known, options.keeps_good_enough));
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
     for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {

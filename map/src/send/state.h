@@ -64,8 +64,8 @@ struct MapSender::State {
   /// kInvalidArgument.
   Result<void> begin_epoch(std::uint32_t of_receiver);
   /// Some of those that the viewer needs.
-  Result<void> make_copies(Viewer& viewer, double now);
-  /// Plans and sends within the allowance.
+  Result<void> make_copies(Viewer& viewer, const SeenCells& seen, double now);
+  /// Makes copies, plans and sends within the allowance.
   Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,
                                 std::vector<std::vector<std::byte>>& messages);
   /// Makes the messages of a unit, and sends what may be sent now. False: a part of it cannot be encoded,

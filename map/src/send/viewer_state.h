@@ -142,12 +142,15 @@ struct SendPlan {
   std::uint64_t kept = 0;  ///< parts with a newer source whose old version will do
 };
 
+class SeenCells;
+
 /// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
 /// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
 /// parts that the receiver does not show, and about which no message was sent since then, are sent again.
 /// Errors: as Encodings::get().
-Result<SendPlan> plan_for(const Viewer& viewer, double waiting_since, const SourceMap& map,
-                          Encodings& encodings, KnownVersions& known, bool keeps_good_enough);
+Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double waiting_since,
+                          const SourceMap& map, Encodings& encodings, KnownVersions& known,
+                          bool keeps_good_enough);
 
 /// The newest version for a view, which `known` gains; null: there is none. Errors: as Encodings::get().
 Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, const View& view,

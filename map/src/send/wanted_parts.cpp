@@ -14,53 +14,13 @@ namespace {
 
 constexpr std::uint64_t kTrianglesAtOnce = std::uint64_t{1} << 16;  // that a call simplifies
 
-/// Cells in which a viewer has something on the level of its view or above.
-class Begun {
- public:
-  explicit Begun(const Viewer& viewer) {
-    for (const auto& [key, believed] : viewer.has) {
-      if (believed.is_gone || key.level < viewer.view.level) continue;
-      keys_.insert(key);
-      for (int level = key.level; level <= kMostPartLevel; ++level)
-        if (!above_.insert(ancestor(key, static_cast<std::uint8_t>(level))).second) break;
-    }
-  }
-  bool has(const PartKey& key) const { return keys_.contains(key); }
-  bool contains(const PartKey& cell) const {
-    if (above_.contains(cell)) return true;
-    for (int level = cell.level + 1; level <= kMostPartLevel; ++level)
-      if (has(ancestor(cell, static_cast<std::uint8_t>(level)))) return true;
-    return false;
-  }
-
- private:
-  std::set<PartKey> keys_;
-  std::set<PartKey> above_;  ///< these and all cells around them
-};
-
-/// Cells that hold something of the map in a view: of each of its parts there the cell on the view's level,
-/// or its own if that is higher, and all cells above. A copy of another cell shows nothing of the view.
-std::set<PartKey> cells_around_view(const View& view, const SourceMap& map,
-                                    const MapDescription& description) {
-  std::set<PartKey> cells;
-  for (const auto& [key, part] : map.parts()) {
-    if (map.is_copy(key)) continue;
-    const std::uint8_t seen = std::max(key.level, view.level);
-    if (!is_in_view(ancestor(key, seen), view, description)) continue;
-    for (int level = seen; level <= kMostPartLevel; ++level)
-      if (!cells.insert(ancestor(key, static_cast<std::uint8_t>(level))).second) break;
-  }
-  return cells;
-}
-
 class Wants {
  public:
-  Wants(const Viewer& viewer, const SourceMap& map, const MapDescription& description)
-      : first_sight_(map.first_sight()), waits_(viewer.waits_for_copies), begun_(viewer) {
-    const std::set<PartKey> around = cells_around_view(viewer.view, map, description);
+  Wants(const Viewer& viewer, const SourceMap& map, const MapDescription& description, const SeenCells& cells)
+      : first_sight_(map.first_sight()), waits_(viewer.waits_for_copies), cells_(cells) {
     for (const auto& [key, part] : map.parts()) {
       if (!is_in_view(key, viewer.view, description)) continue;
-      (around.contains(key) ? in_view_ : beside_).insert(key);
+      (cells.is_seen(key) ? in_view_ : beside_).insert(key);
     }
   }
 
@@ -92,7 +52,7 @@ class Wants {
 
   /// A copy that is to be seen before what is inside.
   bool is_new_copy(const PartKey& key) const {
-    return key.level <= first_sight_ && inside_.contains(key) && !begun_.contains(key);
+    return key.level <= first_sight_ && inside_.contains(key) && !cells_.is_begun(key);
   }
 
   std::set<PartKey> cover(bool keeps_copies) const {
@@ -103,7 +63,7 @@ class Wants {
       const PartKey key = open.back();
       open.pop_back();
       const auto inside = inside_.find(key);
-      const bool stays = keeps_copies && key.level <= first_sight_ && begun_.has(key);
+      const bool stays = keeps_copies && key.level <= first_sight_ && cells_.has(key);
       if (inside != inside_.end() && !stays && !is_new_copy(key)) {
         open.insert(open.end(), inside->second.begin(), inside->second.end());
       } else if (!is_to_come_later(key)) {
@@ -115,12 +75,12 @@ class Wants {
 
   /// A copy of it that is still to be made is to come first.
   bool is_to_come_later(const PartKey& key) const {
-    return waits_ && key.level < first_sight_ && !begun_.contains(ancestor(key, first_sight_));
+    return waits_ && key.level < first_sight_ && !cells_.is_begun(ancestor(key, first_sight_));
   }
 
   std::uint8_t first_sight_;
   bool waits_;
-  Begun begun_;
+  const SeenCells& cells_;
   std::set<PartKey> in_view_;
   std::set<PartKey> beside_;  ///< copies that touch the view, of parts that do not
   std::map<PartKey, std::vector<PartKey>> inside_;
@@ -142,13 +102,13 @@ std::vector<PartKey> in_order(const std::set<PartKey>& cells, const Viewer& view
 
 }  // namespace
 
-WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDescription& description) {
-  return Wants(viewer, map, description).run();
+WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDescription& description,
+                         const SeenCells& seen) {
+  return Wants(viewer, map, description, seen).run();
 }
 
-Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDescription& description) {
-  const Begun begun(viewer);
-  const std::set<PartKey> around = cells_around_view(viewer.view, map, description);
+Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDescription& description,
+                             const SeenCells& seen) {
   // From the level of the first sight on: where a copy has too many triangles to be a part, those below it.
   for (int level = std::max(map.first_sight(), viewer.view.level); level > 0 && level >= viewer.view.level;
        --level) {
@@ -156,11 +116,11 @@ Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDesc
     for (const auto& [key, part] : map.parts()) {
       if (key.level >= level || map.is_copy(key)) continue;
       const PartKey cell = ancestor(key, static_cast<std::uint8_t>(level));
-      if (!around.contains(cell)) continue;
+      if (!seen.is_seen(cell)) continue;
       // Where a copy on the view's level has too many triangles to be a part, one above it is needed.
-      const PartKey seen =
+      const PartKey shown =
           viewer.view.level > 0 ? ancestor(key, std::max(key.level, viewer.view.level)) : cell;
-      bool is_covered = level > viewer.view.level && begun.contains(seen);
+      bool is_covered = level > viewer.view.level && seen.is_begun(shown);
       for (int above = level + 1; above <= map.first_sight() && level > viewer.view.level; ++above)
         is_covered = is_covered || map.find(ancestor(cell, static_cast<std::uint8_t>(above))) != nullptr;
       if (!is_covered && map.find(cell) == nullptr) cells.insert(cell);

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "send/seen_cells.h"
 #include "send/viewer_state.h"
 
 namespace deltamesh {
@@ -17,10 +18,12 @@ struct WantedParts {
 
 /// While copies that it is to see first are still to be made (`viewer.waits_for_copies`), nothing is wanted
 /// where they come, and those that it has stay. O(n log n) for all parts and what the viewer has.
-WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDescription& description);
+WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDescription& description,
+                         const SeenCells& seen);
 
 /// Makes what a viewer needs of coarser copies, or some of it. False: some are still to be made. Takes a few
 /// dozen milliseconds at the most, or what the simplification of one cell takes.
-Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDescription& description);
+Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDescription& description,
+                             const SeenCells& seen);
 
 }  // namespace deltamesh

@@ -11,7 +11,7 @@ namespace deltamesh {
 
 class SteadyTime {
  public:
-  /// Seconds. Where the clock goes back, none pass; 30 at the most from call to call. What is not finite is
+  /// Seconds. Where the clock goes back, none pass; 2 at the most from call to call. What is not finite is
   /// no time.
   double at(double now) noexcept {
     if (!std::isfinite(now)) return time_;
@@ -25,7 +25,7 @@ class SteadyTime {
 
  private:
   static constexpr double kApart = 1;  // seconds
-  static constexpr double kMostStep = 30;
+  static constexpr double kMostStep = 2;
   double offset_ = 0;
   double time_ = 0;
 };

@@ -77,7 +77,7 @@ TEST_F(MapViewers, SilentOnesMakeRoom) {
     now_ += 0.2;
   }
   EXPECT_LE(sender_->viewers().size(), 4U);
-  for (const double end = now_ + 61; now_ < end; now_ += 10)  // a longer step is a clock that was set
+  for (const double end = now_ + 61; now_ < end; now_ += 2)  // a longer step is a clock that was set
     EXPECT_FALSE(sender_->messages_for(1000, now_));
   MapReceiver last(100, 1);
   talk(last, 100, 1);

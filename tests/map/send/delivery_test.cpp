@@ -45,6 +45,54 @@ TEST(MapDelivery, MAP21WhatIsBehindLateMessagesIsInAQueueAndNotLost) {
   }
 }
 
+TEST(MapDelivery, MAP21WhatWasGivenUpAndMayStillComeIsInAQueue) {
+  Delivery delivery = measured_delivery();
+  const std::uint64_t first = send(delivery, 10);
+  for (int i = 1; i < 40; ++i) delivery.forget(send(delivery, 10 + 0.05 * i));
+  // After half a minute the link works again, slowly; what it brings first was sent again and tells nothing.
+  for (double now = 40; now < 50; now += 0.5) {
+    delivery.hear({first, {}}, now);
+    (void)delivery.take_lost(now);
+    EXPECT_LE(delivery.room(now), 1) << now;
+  }
+  delivery.hear({send(delivery, 50), {}}, 50.1);
+  EXPECT_GT(delivery.room(50.1), 1000);
+}
+
+TEST(MapDelivery, MAP21WhatIsSentAgainDoesNotDelayTheNewMessageThatTellsWhetherThereIsAQueue) {
+  Delivery delivery = measured_delivery();
+  const std::uint64_t first = send(delivery, 10);
+  for (int i = 1; i < 10; ++i) delivery.forget(send(delivery, 10));
+  delivery.hear({first - 1, {}}, 12);
+  (void)delivery.send_again(first, 12);
+  EXPECT_EQ(delivery.room(12), 1);
+  const std::uint64_t next = send(delivery, 12);
+  EXPECT_EQ(delivery.room(12.05), 0);
+  delivery.hear({next, {}}, 12.05);
+  EXPECT_GT(delivery.room(12.05), 1000);
+}
+
+TEST(MapDelivery, MAP21TheFirstRepliesMayHaveWaitedInAQueueToo) {
+  Delivery delivery;
+  std::vector<std::uint64_t> numbers;
+  for (int i = 0; i < 80; ++i) numbers.push_back(send(delivery, 10));
+  double now = 10;
+  for (; now < 15; ++now) delivery.hear({}, now);
+  for (const std::uint64_t number : numbers) delivery.hear({number, {}}, now += 0.1);
+  // A thousand bytes a second: what it takes in two seconds may be on the way.
+  EXPECT_LE(delivery.room(now), 2500);
+}
+
+TEST(MapDelivery, MAP21ALimitGrowsWithTheLargestOfWhatComesInTimeNotTheFirst) {
+  Congestion congestion;
+  congestion.measure(0, 0.3, 0.3, 100, 0.3);
+  congestion.measure(0.5, 3, 3, 3000, 3.5);
+  ASSERT_LE(congestion.limit(), 1024);
+  for (double now = 4.5, flight = 100; now < 4.8; now += 0.05, flight += 150)
+    congestion.measure(4, now - 4, now - 4, flight, now);
+  EXPECT_GE(congestion.limit(), 2048);
+}
+
 TEST(MapDelivery, MAP21WhatComesAfterItWasGivenUpIsMeasured) {
   Delivery delivery = measured_delivery();
   const double before = delivery.timeout();
@@ -55,13 +103,40 @@ TEST(MapDelivery, MAP21WhatComesAfterItWasGivenUpIsMeasured) {
   EXPECT_GT(delivery.timeout(), 2 * before);
 }
 
-TEST(MapDelivery, MAP21TheLastMessageIsSentOnceMoreAfterTwoRoundTrips) {
+TEST(MapDelivery, MAP21TheLastMessageIsSentAgainAfterTwoRoundTrips) {
   Delivery delivery = measured_delivery();
   const std::uint64_t number = send(delivery, 11);
   EXPECT_EQ(delivery.probe(11.05), std::nullopt);
   EXPECT_EQ(delivery.probe(11.2), number);
   (void)delivery.send_again(number, 11.2);
   EXPECT_EQ(delivery.probe(11.5), std::nullopt);
+  EXPECT_EQ(delivery.probe(12.3), number);  // that may be lost too
+  (void)delivery.next_number();
+  delivery.add({.key = kKey, .bytes = std::vector<std::byte>(100)});
+  EXPECT_EQ(delivery.probe(14), std::nullopt);  // it was not sent at all
+}
+
+TEST(MapDelivery, MAP21WhatReplacesAMessageThatWasLostOnALongWayIsSentTwice) {
+  Delivery delivery;
+  for (double now = 8; now < 10; now += 0.3) delivery.hear({send(delivery, now), {}}, now + 0.3);
+  (void)send(delivery, 10);
+  ASSERT_EQ(delivery.take_lost(11).size(), 1U);  // whether a later one has told it or the time
+  EXPECT_TRUE(delivery.is_slow());
+  (void)delivery.take_lost(14);
+  (void)send(delivery, 15);
+  (void)delivery.take_lost(19);
+  EXPECT_FALSE(delivery.is_slow());  // it is not single messages that are lost
+}
+
+TEST(MapDelivery, MAP21WhereAllOfTheFirstMessagesAreLostOthersFollow) {
+  Delivery delivery;
+  for (int i = 0; i < 6; ++i) delivery.forget(send(delivery, 10));
+  int sent = 0;
+  for (double now = 10; now < 20; now += 0.25) {
+    delivery.hear({}, now);
+    if (delivery.room(now) > 0 && now > 10) ++sent, delivery.forget(send(delivery, now));
+  }
+  EXPECT_GE(sent, 5);
 }
 
 TEST(MapDelivery, MAP21ARemovalThatIsTakenBackLeavesWhatTheOneBeforeWaitsFor) {

@@ -58,7 +58,7 @@ struct SenderCounts {
 /// receivers' maps to the bit. What is lost on the way is sent again within one exchange, if nothing newer
 /// takes its place; where replies take longer than a second, and than twice the shortest, no more is on the
 /// way than the link delivers in that time. Times are seconds of a steady clock: of one that is set back none
-/// pass, and of one that is set forward at most 30 from call to call. A message arrives within 60 seconds or
+/// pass, and of one that is set forward at most 2 from call to call. A message arrives within 60 seconds or
 /// not at all: then what is known of parts that no longer exist is forgotten. Where a receiver has another
 /// description of the map, of another lattice, say, and of an epoch that is not older, a new epoch begins,
 /// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Views that ask

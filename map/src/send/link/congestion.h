@@ -19,17 +19,19 @@ class Congestion {
   /// the way with it. `at_least`: what it certainly took.
   void measure(double sent, double round_trip, double at_least, double flight, double now) noexcept {
     least_ = std::min(least_, round_trip);
-    if (sent < decided_) return;  // it says nothing of the limit
+    if (sent < changed_) return;  // it says nothing of the limit
     if (at_least < fastest_) {
       fastest_ = at_least;
       flight_ = flight;
     }
+    if (at_least < kShort * longest()) in_time_ = std::max(in_time_, flight);
     if (now - decided_ >= kWhile) decide(now);
   }
 
   double limit() const noexcept { return limit_; }
-  /// Seconds that a reply takes at the most where nothing queues up.
-  double longest() const noexcept { return std::max(kLongest, 2 * least_); }
+  /// Seconds that a reply takes at the most where nothing queues up. The shortest round trip may have been in
+  /// a queue too.
+  double longest() const noexcept { return std::clamp(2 * least_, kLongest, kMostLongest); }
   /// Whether a reply takes so long that there must be a queue, to which the limit is still to follow.
   bool is_too_long(double seconds) const noexcept { return seconds > kTooLong * longest(); }
   /// The shortest round trip so far: that without a queue, seconds; infinite: none.
@@ -40,24 +42,30 @@ class Congestion {
   static constexpr double kWhile = 0.2;        // seconds
   static constexpr double kShort = 0.75;       // of the longest: there may be more
   static constexpr double kLongest = 1;        // seconds, or twice the shortest round trip
+  static constexpr double kMostLongest = 2;    // seconds
   static constexpr double kTooLong = 1.5;      // of the longest
   static constexpr double kLeastLimit = 1024;  // bytes; one message may be on the way in any case
 
   void decide(double now) noexcept {
+    const double before = limit_;
     if (fastest_ > longest()) {
       limit_ = std::max(flight_ / fastest_ * longest(), kLeastLimit);
-    } else if (fastest_ < kShort * longest() && flight_ > limit_ / 2) {
+    } else if (in_time_ > limit_ / 2) {
       limit_ *= 2;
     }
+    if (limit_ != before) changed_ = now;
     fastest_ = kNever;
+    in_time_ = 0;
     decided_ = now;
   }
 
   double least_ = kNever;
   double limit_ = kNever;
-  double fastest_ = kNever;  ///< round trip of messages that were sent since the last decision
+  double fastest_ = kNever;  ///< round trip of messages that were measured since the last decision
   double flight_ = 0;        ///< bytes on the way then
+  double in_time_ = 0;       ///< most bytes on the way of which replies came in time
   double decided_ = 0;       ///< when, seconds
+  double changed_ = 0;       ///< when the limit changed last, seconds
 };
 
 }  // namespace deltamesh

@@ -42,7 +42,7 @@ const SentMessage& Delivery::send_next(double now) {
 
 void Delivery::note_sent(std::uint64_t number, SentMessage& message, double now) {
   sent_ = std::max(sent_, number);
-  sent_at_ = now;
+  if (message.times == 0) sent_at_ = now;
   message.after = sent_;
   message.time = now;
   ++message.times;
@@ -150,19 +150,22 @@ double Delivery::room(double now) const noexcept {
 }
 
 bool Delivery::may_probe(double now) const noexcept {
-  return round_trip_ && now - sent_at_ > std::min(2 * *round_trip_, congestion_.longest());
+  return now - sent_at_ > (round_trip_ ? std::min(2 * *round_trip_, congestion_.longest()) : kFirstTimeout);
 }
 
 std::optional<std::uint64_t> Delivery::probe(double now) const {
   if (on_the_way_.empty() || !may_probe(now)) return std::nullopt;
   const auto& [number, message] = *on_the_way_.rbegin();
-  return number > told_ && message.times == 1 ? std::optional(number) : std::nullopt;
+  const bool is_due = message.times == 1 || (message.times > 1 && now - message.time > congestion_.longest());
+  return number > told_ && is_due ? std::optional(number) : std::nullopt;
 }
 
 bool Delivery::is_jammed(double now) const noexcept {
-  const auto next = on_the_way_.upper_bound(told_);
-  return next != on_the_way_.end() && next->second.times > 0 &&
-         congestion_.is_too_long(now - next->second.time) && !congestion_.is_too_long(now - late_);
+  double sent = now;
+  if (const auto next = on_the_way_.upper_bound(told_); next != on_the_way_.end() && next->second.times > 0)
+    sent = next->second.time;
+  if (!given_up_.empty()) sent = std::min(sent, given_up_.begin()->second.time);
+  return congestion_.is_too_long(now - sent);
 }
 
 bool Delivery::is_silent(double now) const noexcept {

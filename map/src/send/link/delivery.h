@@ -61,7 +61,7 @@ class Delivery {
   /// Numbers of messages that are taken to be lost, ascending: later ones have come, or a reply is overdue.
   /// Where replies are overdue, the next ones may take twice as long.
   std::vector<std::uint64_t> take_lost(double now);
-  /// The last message, where it is unanswered for so long that it is worth a second try: what comes of it
+  /// The last message, where it is unanswered for so long that it is worth another try: what comes of it
   /// tells what is lost (RFC 8985, tail loss probe).
   std::optional<std::uint64_t> probe(double now) const;
   /// Whether receipts still tell of a message of this number.
@@ -69,12 +69,13 @@ class Delivery {
 
   /// Seconds after which a message without a reply is taken to be lost (RFC 6298).
   double timeout() const noexcept;
-  /// Whether a message that is lost once more would be late.
+  /// Whether a message that is lost once more would be late, where single ones are lost.
   bool is_slow() const noexcept {
-    return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ == 0;
+    return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ <= 1;
   }
   /// Bytes that may be sent before they would queue up on their way; one message in any case if it is above
-  /// 0. None while what arrives has waited too long. When nothing was sent for two round trips, one message.
+  /// 0. None while what was sent long ago is not told of. When nothing new was sent for two round trips, one
+  /// message.
   double room(double now) const noexcept;
   /// Whether the receiver has not been heard for so long that nothing is worth sending.
   bool is_silent(double now) const noexcept;
@@ -90,9 +91,9 @@ class Delivery {
   bool is_passed(std::uint64_t number, const SentMessage& message) const noexcept {
     return !is_told_of(number) || told_ > message.after + disorder_;
   }
-  /// Nothing was sent for two round trips, or longer than a reply takes where nothing queues up.
+  /// Nothing new was sent for two round trips, or longer than a reply takes where nothing queues up.
   bool may_probe(double now) const noexcept;
-  /// Late messages come, and the next one of them has waited for long.
+  /// What was sent long ago, and perhaps given up since, may still come: it is in a queue.
   bool is_jammed(double now) const noexcept;
   Messages::iterator erase(Messages::iterator message);
   /// Forgets all but when it was sent.
@@ -108,7 +109,7 @@ class Delivery {
   Congestion congestion_{};
   std::uint64_t last_ = 0;                ///< the last number that was used
   std::uint64_t sent_ = 0;                ///< the highest number that was sent
-  double sent_at_ = 0;                    ///< when the last message was sent, seconds
+  double sent_at_ = 0;                    ///< when a message was last sent for the first time, seconds
   std::uint64_t told_ = 0;                ///< the highest number that the receiver has told of
   std::vector<std::uint64_t> missing_{};  ///< as the receiver told last
   std::uint64_t disorder_ = 0;            ///< by how many numbers a message that seemed lost came late
