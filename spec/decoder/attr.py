@@ -58,10 +58,10 @@ class Attribute:
 
 class Surface:
     """[ATTR-10] What attributes may know: faces over vertices, copies, positions and attributes decoded before."""
-    def __init__(self, seams, positions, geometric_faces, attributes, states):
+    def __init__(self, seams, positions, geometric_faces, attributes, states, known=None):
         self.faces, self.first, self.geometric, self.positions = seams.faces, seams.first, seams.geometric, positions
         self.geometric_faces, self.attributes, self.n, self.states = geometric_faces, attributes, len(seams.geometric), states
-        self.corners = corners(self.faces, self.n)
+        self.corners, self.known = corners(self.faces, self.n), known
 
     def joined(self, is_joined):
         """[ATTR-58] Of the vertices that numbers are coded over their first copies, and what is known [POSN-3]."""

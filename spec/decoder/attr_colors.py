@@ -27,7 +27,11 @@ def ATTR_45_colours(r, a, surface):
     axes[:2] = axes[1::-1]
     rows = [[0] * 4] * surface.n
     if axes:
-        rows = ColourCoder(Coder(r), surface, surface.attributes.index(a), len(axes), top, bound).decode()
+        number, former = surface.attributes.index(a), {}
+        if surface.known:
+            former = surface.known.MAP_30_former(number, surface.positions, level_bits)
+        former = {v: (F([levels[c] for c in axes] + [0] * (4 - len(axes))), kept) for v, (levels, kept) in former.items()}
+        rows = ColourCoder(Coder(r), surface, number, len(axes), top, bound, former).decode()
     levels = [[constants[c] if s == 255 else row[axes.index(s)] for c, s in enumerate(sources)] for row in rows]
     return [[ATTR_46_value(x, a.type, level_bits) for x in row] for row in levels]
 
@@ -36,11 +40,12 @@ def ATTR_46_value(level, type_, level_bits):
         return level / (2**level_bits - 1)
     return level * 257 if type_ == "u2" and level_bits == 8 else level
 
-class ColourCoder:  # ATTR-45, ATTR-47 to ATTR-52
+class ColourCoder:  # ATTR-45, ATTR-47 to ATTR-52, MAP-30
     """Colours, sizes and the like are vectors of the axes 0 to 3."""
-    def __init__(self, coder, surface, attribute, axes, top, bound):
+    def __init__(self, coder, surface, attribute, axes, top, bound, former):
         self.coder, self.surface, self.axes, self.top, self.width = coder, surface, axes, F(top), 2 * bound + 1
         self.per_step, self.unit = F(16) / F(self.width), max(F(self.width), F(top) / F(255))
+        self.former, self.before = former, []
         self.colours, self.sizes, self.outcomes, self.around = [], [], [], neighbours(surface.faces, surface.n)
         self.learnt = surface.states.models(
             ("colours", attribute), copies=Mixture((16, 6, 3, 30) + (1,) * 12), numbers=ScaledCoder())
@@ -51,11 +56,19 @@ class ColourCoder:  # ATTR-45, ATTR-47 to ATTR-52
             near = ([v - 1] if v > first[g] else []) + [u for u in self.around[v][:4] if u < v]  # [ATTR-47]
             shares = self.ATTR_47_shares(v, near)
             E = self.mix(near, shares, self.colours) if near else self.colours[v - 1] if v else np.zeros(4, dtype=F)
+            F_v, kept = self.former.get(v, (None, False))
+            if F_v is not None:  # [MAP-30]
+                E = E + (F_v - self.mix(near, shares, self.before)) * F(0.6875) if near else F_v
             E = np.clip(E, ZERO, self.top)  # [ATTR-48]
             spread = self.mix(near, shares, {u: abs((d := self.colours[u] - E) - d[0] * F([0, 1, 1, 0])) for u in near})
-            outcome, colour = self.ATTR_50_copy(near, shares) if copies and near else (2 if near or not copies else 3, None)
+            outcome, colour = 2 if near or not copies else 3, None
+            if kept:
+                outcome, colour = 0, F_v
+            elif copies and (near or F_v is not None):
+                outcome, colour = self.ATTR_50_copy(near, shares, F_v)
             self.ATTR_51_levels(colour, E, spread, self.mix(near, shares, self.sizes), bool(near))
             self.outcomes.append(outcome)
+            self.before.append(self.colours[v] if F_v is None else F_v)
         return np.array(self.colours, dtype=np.int64).reshape(-1, 4).tolist()
 
     def ATTR_47_shares(self, v, near):
@@ -73,23 +86,26 @@ class ColourCoder:  # ATTR-45, ATTR-47 to ATTR-52
         """The sum over the near vertices, with their shares as factors."""
         return sum((of[u] * share for u, share in zip(near, shares)), np.zeros(4, dtype=F))
 
-    def ATTR_50_copy(self, near, shares):
-        """The outcome, and the colour that is copied or None."""
-        def differ(u, w):
-            return np.any(self.colours[u] != self.colours[w])
-        candidates, farthest = [], ZERO
-        for i in sorted(range(len(near)), key=lambda i: -shares[i]):
-            if all(differ(near[i], u) for u in candidates) and len(candidates) < 3:
-                candidates.append(near[i])
-        n, share = len(candidates), sum((x for u, x in zip(near, shares) if not differ(u, candidates[0])), ZERO)
-        for u in candidates[1:]:
-            d = abs(self.colours[u] - self.colours[candidates[0]])
+    def ATTR_50_copy(self, near, shares, F_v):
+        """The outcome, and the colour that is copied or None; `F_v`: the former colour [MAP-30], or None."""
+        nearest = sorted(range(len(near)), key=lambda i: -shares[i])
+        colours, t, farthest = [], [], ZERO
+        if F_v is not None:
+            colours, t = [F_v], [self.outcomes[near[nearest[0]]] if near else 3]
+        for u in (near[i] for i in nearest):
+            if all(np.any(self.colours[u] != colour) for colour in colours) and len(colours) < 3:
+                colours.append(self.colours[u])
+                t.append(self.outcomes[u])
+        n, share = len(colours), sum((x for u, x in zip(near, shares) if not np.any(self.colours[u] != colours[0])), ZERO)
+        for colour in colours[1:]:
+            d = abs(colour - colours[0])
             farthest = max(farthest, (d[0] + d[1]) + (d[2] + d[3]))
         s, d = min(math.floor(F(8) * share), 7), min(bits(math.floor(farthest * (F(1) / self.unit))), 7)
-        t = [self.outcomes[u] for u in candidates] + [3] * (3 - n)
+        t += [3] * (3 - n)
+        more = 0 if F_v is None else 192
         first, second = (8 * (n - 1) + s) * 8 + d, ((4 * t[0] + t[1]) * 4 + t[2]) * 3 + n - 1
-        symbol = self.coder.symbol(*self.learnt.copies.of(first, second, 2 * (n - 1) + (t[0] == 0)))
-        return (min(symbol, 1), self.colours[candidates[symbol]]) if symbol < n else (2, None)
+        symbol = self.coder.symbol(*self.learnt.copies.of(more + first, more + second, 2 * (n - 1) + (t[0] == 0) + more // 32))
+        return (min(symbol, 1), colours[symbol]) if symbol < n else (2, None)
 
     def ATTR_51_levels(self, colour, E, spread, before, has_near):
         """Decodes the levels where no colour is copied, and remembers what [ATTR-49] says."""

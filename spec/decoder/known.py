@@ -20,12 +20,12 @@ class Known:
     """[MAP-26, MAP-27] Of the base, on the grid of the part: `levels` and `kept`, of edges; `kinds` of cubes and their `gone` faces; former `states` of nodes."""
     def __init__(self, mesh, stays, header):
         self.kinds, self.states, self.levels, self.kept, self.gone = {}, {}, {}, {}, defaultdict(list)
-        self.count = len(mesh.positions)
+        self.count, self.header, self.attributes, self.rows = len(mesh.positions), header, mesh.attributes, {}
         self.homes = [self.MAP_26_home(position, header) for position in mesh.positions.tolist()]
         of_kept = {v for face, stay in zip(mesh.faces, stays) if stay for v in face}
         for v, (edge, level) in enumerate(self.homes):
             if edge and (edge not in self.levels or (v in of_kept and not self.kept[edge])):
-                self.levels[edge], self.kept[edge] = level, v in of_kept
+                self.levels[edge], self.kept[edge], self.rows[edge] = level, v in of_kept, v
         for face, stay in zip(mesh.faces, stays):
             self.MAP_27_face([self.homes[v][0] for v in face], stay)
         bricks = {tuple(x >> 4 for x in node) for node in [r for _, r in self.levels] + [plus(c, i) for c in self.kinds for i in CORNERS]}
@@ -50,6 +50,15 @@ class Known:
         node[k] = math.floor(max(u[k], 0) / w)
         return (k, tuple(node)), clamp(math.floor((u[k] - w * node[k]) / 2), 0, header.levels - 1)
 
+    def MAP_30_former(self, number, positions, level_bits):
+        """By vertex: the levels of attribute `number` that the base's vertex on its edge has, and whether that is kept."""
+        former, a = {}, self.attributes[number]
+        for v, position in enumerate(positions.tolist()):
+            edge = self.MAP_26_home(position, self.header)[0]
+            if edge in self.rows:
+                former[v] = [MAP_30_level(x, a.type, level_bits) for x in a.values[self.rows[edge]]], self.kept[edge]
+        return former
+
     def MAP_27_face(self, edges, stay):
         if None in edges or len(set(edges)) < 3:
             return
@@ -69,6 +78,11 @@ class Known:
                 inside, outside = (first, last) if n > 0 else (last, first)
                 self.states.setdefault(inside, 0)
                 self.states.setdefault(outside, 1)
+
+def MAP_30_level(x, kind, level_bits):
+    if kind == "f4":
+        return math.floor((2**level_bits - 1) * float(x) + 0.5) if 0 <= x <= 1 else 0
+    return (int(x) + 128) // 257 if kind == "u2" and level_bits == 8 else int(x)
 
 def MAP_28_wrong(known, nodes, own):
     return min(sum(node in nodes and nodes[node] != known.states.get(node, nodes[node]) for node in own), 3)

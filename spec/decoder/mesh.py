@@ -56,9 +56,9 @@ def decode_chunks(header, listed, states, known=None):  # DIR-8, HDR-7
         anchors = ANCH_1_read(chunks["ANCH"], header, header.geometric, parts, is_plain)
         positions = DELT_1_positions(chunks["DELT"], header, around, parts, anchors, is_plain)
     mesh.positions = GEO_1_round(positions)[seams.geometric]
-    known = mesh.positions if mesh.exact else None  # [ATTR-10]
+    exact = mesh.positions if mesh.exact else None  # [ATTR-10]
     mesh.attributes = [chunk.descriptor for chunk in attributes]
-    ATTR_11_decode(attributes, Surface(seams, known, faces, mesh.attributes, states))
+    ATTR_11_decode(attributes, Surface(seams, exact, faces, mesh.attributes, states, known))
     if header.restore_order and not is_plain:
         restore(mesh, *ORDR_1_read(chunks["ORDR"], seams.faces, header.vertices))
     return mesh

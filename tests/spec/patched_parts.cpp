@@ -2,8 +2,9 @@
 // Copyright 2026 The deltamesh authors
 //
 // patched_parts FOLDER: writes what a receiver has of a generated drive after a few updates: `map`, the map's
-// message, and of every part `L_X_Y_Z`, its octets, and `L_X_Y_Z.mesh`, the number of its vertices, their
-// positions, and faces.
+// message, and of every part `L_X_Y_Z`, its octets, and `L_X_Y_Z.mesh`, the numbers of its vertices and
+// faces, positions, faces, and colours.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -61,10 +62,13 @@ void write(const std::string& path, const MapPart& part, std::span<const std::by
   std::ofstream bytes(path, std::ios::binary);
   append(bytes, octets);
   std::ofstream mesh(path + ".mesh", std::ios::binary);
-  const auto count = static_cast<std::uint32_t>(part.mesh.vertex_count());
-  append(mesh, std::span(&count, 1));
+  const std::array counts{static_cast<std::uint32_t>(part.mesh.vertex_count()),
+                          static_cast<std::uint32_t>(part.mesh.triangle_count())};
+  append(mesh, std::span<const std::uint32_t>(counts));
   append(mesh, std::span<const float>(part.mesh.positions));
   append(mesh, std::span<const std::uint32_t>(part.mesh.triangles));
+  for (const Attribute& attribute : part.mesh.attributes)
+    append(mesh, std::span<const std::byte>(attribute.values));
   if (!bytes.flush() || !mesh.flush()) std::abort();
 }
 
@@ -79,6 +83,7 @@ int main(int argc, char** argv) {
   MapReceiver receiver(1, 1);
   View view;
   view.max_error = static_cast<float>(max_error);
+  view.color_error = 4.0F;
   receiver.set_view(view);
   double now = 0;
   for (int i = 0; i < kUpdates; ++i) {

@@ -107,13 +107,15 @@ def patched_parts(program, folder):
     patched = 0
     for path in sorted(glob.glob(os.path.join(folder, "*.mesh"))):
         with open(path, "rb") as file:
-            count = int.from_bytes(file.read(4), "little")
-            positions, faces = np.frombuffer(file.read(12 * count), dtype="<f4"), np.frombuffer(file.read(), dtype="<u4")
+            vertices, triangles = (int.from_bytes(file.read(4), "little") for _ in range(2))
+            positions, faces = np.frombuffer(file.read(12 * vertices), dtype="<f4"), np.frombuffer(file.read(12 * triangles), dtype="<u4")
+            colours = file.read()
         with open(path[:-5], "rb") as file:
             octets = file.read()
         patched += octets[0] == 4
         mesh = described.MAP_7_part(key_of(path[:-5]), octets)
-        if not np.array_equal(mesh.positions.reshape(-1), positions) or not np.array_equal(np.array(mesh.faces).reshape(-1), faces):
+        is_alike = np.array_equal(mesh.positions.reshape(-1), positions) and np.array_equal(np.array(mesh.faces).reshape(-1), faces)
+        if not is_alike or b"".join(a.values.tobytes() for a in mesh.attributes) != colours:
             return patched, f"part {path} differs"
     return patched, "" if patched else "no part has a patch"
 

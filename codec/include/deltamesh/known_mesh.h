@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <span>
 
+#include "deltamesh/mesh.h"
+
 namespace deltamesh {
 
 /// A mesh that encoder and decoder have, such as the version of a map's part before the present one. Streams
@@ -15,6 +17,9 @@ struct KnownMesh {
   std::span<const float> positions;          ///< n x 3, finite
   std::span<const std::uint32_t> triangles;  ///< m x 3, below n
   std::span<const std::uint8_t> stays;       ///< m: 1 or 0
+  /// Those of the stream, in its order, with n values each; or none. Colours within a bound on each vertex
+  /// take fewer bytes beside them.
+  std::span<const Attribute> attributes{};
 };
 
 }  // namespace deltamesh

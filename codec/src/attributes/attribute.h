@@ -11,6 +11,7 @@
 
 #include "attributes/surface.h"
 #include "deltamesh/attribute_quality.h"
+#include "deltamesh/known_mesh.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 #include "entropy/coder/learning.h"
@@ -26,6 +27,7 @@ struct AttributeSettings {
   bool plain = false;                      ///< the plain form
   int effort = 1;                          ///< 0 to 2
   const AttributeModels* start = nullptr;  ///< null for fresh models
+  const Attribute* known = nullptr;        ///< of colours; what readers have of known vertices, or null
 };
 
 /// A coded attribute and what a decoder gets.
@@ -47,6 +49,16 @@ Result<CodedAttribute> write_attribute(const AttributeView& attribute, std::span
                                        const AttributeSettings& settings, const AttributeSurface& surface,
                                        std::span<const Attribute> others);
 
+/// The attribute number `index` of `known`, if it is there in this shape; else null. `known`: may be null.
+inline const Attribute* known_attribute(const KnownMesh* known, std::size_t index, ComponentType type,
+                                        std::size_t components) noexcept {
+  if (known == nullptr || index >= known->attributes.size()) return nullptr;
+  const Attribute& found = known->attributes[index];
+  const std::size_t bytes = known->positions.size() / 3 * components * component_size(type);
+  const bool fits = found.type == type && found.components == components && found.values.size() == bytes;
+  return fits ? &found : nullptr;
+}
+
 /// Whether attributes of this kind are decoded after all other kinds and predicted from these [ATTR-11].
 constexpr bool decoded_after_others(AttributeKind kind) noexcept {
   return kind == AttributeKind::kTangent || kind == AttributeKind::kWeights;
@@ -59,9 +71,10 @@ Attribute shape_of(const AttributeDescriptor& descriptor);
 std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32_t rows) noexcept;
 
 /// `others`: see write_attribute(). Errors: kTruncated, kInvalidStream [ATTR-*], kLimitExceeded where the
-/// values would take more than `max_bytes`.
+/// values would take more than `max_bytes`. `known`: as AttributeSettings::known.
 Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& descriptor,
                                  const AttributeSurface& surface, std::span<const Attribute> others,
-                                 std::uint64_t max_bytes, const Learning<AttributeModels>& learning = {});
+                                 std::uint64_t max_bytes, const Learning<AttributeModels>& learning = {},
+                                 const Attribute* known = nullptr);
 
 }  // namespace deltamesh

@@ -23,8 +23,9 @@ std::optional<CodedAttribute> code_at_mean_error(const AttributeView& attribute,
   if (attribute.kind == AttributeKind::kColor) {
     // Errors are evenly spread over the whole numbers from -L to L.
     const double largest = std::floor(std::sqrt(0.25 + 3 * rms * rms) - 0.5);
-    bounded = code_compact(kSurfaceColors,
-                           write_surface_colors(type, rows, largest, surface, color_models(settings.start)));
+    bounded = code_compact(
+        kSurfaceColors,
+        write_surface_colors(type, rows, largest, surface, color_models(settings.start), settings.known));
     mean = code_compact(kMean, write_haar_colors(type, rows, rms, surface, mean_models(settings.start)));
   } else {
     // Errors are evenly spread over all numbers from -L to L.

@@ -23,14 +23,16 @@ namespace {
 Result<std::vector<std::byte>> read_on_surface(ByteReader& in, AttributeCoding coding, const Attribute& shape,
                                                const AttributeSurface& surface,
                                                std::span<const Attribute> others,
-                                               const Learning<AttributeModels>& learning) {
+                                               const Learning<AttributeModels>& learning,
+                                               const Attribute* known) {
   DELTAMESH_TRY(const auto bytes, in.read_bytes(in.remaining()));
   std::vector<float> numbers;
   switch (coding) {
     case AttributeCoding::kSurfaceColors:
-      return read_surface_colors(bytes, shape.type, shape.components, surface,
-                                 {color_models(learning.start),
-                                  learning.end != nullptr ? &learning.end->colors.emplace() : nullptr});
+      return read_surface_colors(
+          bytes, shape.type, shape.components, surface,
+          {color_models(learning.start), learning.end != nullptr ? &learning.end->colors.emplace() : nullptr},
+          known);
     case AttributeCoding::kSurfaceNormals: {
       DELTAMESH_TRY(numbers, read_surface_normals(bytes, surface));
       break;
@@ -89,7 +91,8 @@ std::uint64_t attribute_bytes(const AttributeDescriptor& descriptor, std::uint32
 
 Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& descriptor,
                                  const AttributeSurface& surface, std::span<const Attribute> others,
-                                 std::uint64_t max_bytes, const Learning<AttributeModels>& learning) {
+                                 std::uint64_t max_bytes, const Learning<AttributeModels>& learning,
+                                 const Attribute* known) {
   ByteReader in(payload.bytes, kTagAttribute);
   if (attribute_bytes(descriptor, surface.vertex_count()) > max_bytes)
     return in.error(ErrorCode::kLimitExceeded, "attribute values larger than allowed", "ATTR-8");
@@ -104,7 +107,8 @@ Result<Attribute> read_attribute(Payload payload, const AttributeDescriptor& des
   if (first.has_exceptions) {
     DELTAMESH_TRY(exceptions, read_exceptions(in, row_size, surface.vertex_count()));
   }
-  DELTAMESH_TRY(attribute.values, read_on_surface(in, first.coding, attribute, surface, others, learning));
+  DELTAMESH_TRY(attribute.values,
+                read_on_surface(in, first.coding, attribute, surface, others, learning, known));
   put_exceptions(exceptions, row_size, attribute.values);
   return attribute;
 }

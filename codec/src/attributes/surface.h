@@ -13,6 +13,7 @@
 
 #include "attributes/surface_order.h"
 #include "base/numbers/vec3.h"
+#include "grid/known/vertex.h"
 #include "positions/surroundings.h"
 #include "topology/adjacency.h"
 
@@ -48,6 +49,11 @@ class AttributeSurface {
     while (end < vertex_count_ && geometric_of(end) == geometric_of(vertex)) ++end;
     return end;
   }
+  /// `known`: of the geometric vertices what is on the same edge, or empty; must outlive the surface.
+  void set_known(std::span<const KnownVertex> known) noexcept { known_ = known; }
+  bool has_known() const noexcept { return !known_.empty(); }
+  /// Precondition: has_known().
+  const KnownVertex& known_of(std::uint32_t vertex) const noexcept { return known_[geometric_of(vertex)]; }
   bool has_positions() const noexcept { return !positions_.empty(); }
   /// n x 3, or empty.
   std::span<const float> positions() const noexcept { return positions_; }
@@ -94,6 +100,7 @@ class AttributeSurface {
   std::uint32_t vertex_count_;
   std::span<const std::uint32_t> geometric_;
   std::span<const float> positions_;
+  std::span<const KnownVertex> known_;
   const LargeVector<DirectedEdge>* open_edges_;
   mutable std::optional<Adjacency> graph_;
   mutable std::optional<VertexCorners> corners_;

@@ -71,7 +71,7 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
   }
   if (fits(kSurfaceColors))
     return code_compact(kSurfaceColors, write_surface_colors(attribute.type, rows, bound, surface,
-                                                             color_models(settings.start)));
+                                                             color_models(settings.start), settings.known));
   if (fits(kJoints)) return code_compact(kJoints, std::optional(write_joints(attribute, rows, surface)));
   if (fits(kWeights)) return code_compact(kWeights, write_weights(attribute, rows, bound, surface, others));
   if (attribute.kind != AttributeKind::kGeneric && attribute.kind != AttributeKind::kJoints)

@@ -180,9 +180,10 @@ class StreamDecoder {
   Result<std::vector<Attribute>> read_attributes(std::span<const float> positions) {
     if (header_.attributes.empty()) return std::vector<Attribute>();
     const bool has_edges = !faces_.is_split() && !is_of_grid(header_);
-    const AttributeSurface surface(faces_.triangles, header_.vertices, faces_.copies, positions,
-                                   has_edges ? &faces_.open_edges : nullptr,
-                                   std::exchange(attribute_graph_, std::nullopt));
+    AttributeSurface surface(faces_.triangles, header_.vertices, faces_.copies, positions,
+                             has_edges ? &faces_.open_edges : nullptr,
+                             std::exchange(attribute_graph_, std::nullopt));
+    surface.set_known(faces_.known);
     std::vector<Attribute> attributes(header_.attributes.size());
     DELTAMESH_CHECK(read_attributes_of(surface, false, attributes));
     DELTAMESH_CHECK(read_attributes_of(surface, true, attributes));
@@ -199,9 +200,11 @@ class StreamDecoder {
       const AttributeDescriptor& descriptor = header_.attributes[now];
       if (decoded_after_others(descriptor.kind) != after_others) continue;
       DELTAMESH_TRY(const auto chunk, expand_chunk(container_, entry));
+      const Attribute* const known =
+          known_attribute(options_.known, now, descriptor.type, descriptor.components);
       DELTAMESH_TRY(attributes[now], read_attribute(chunk.payload(), descriptor, surface, attributes,
                                                     options_.limits.attribute_bytes - attribute_bytes_,
-                                                    learning_.of_attribute(now)));
+                                                    learning_.of_attribute(now), known));
       attribute_bytes_ += attributes[now].values.size();
     }
     return {};

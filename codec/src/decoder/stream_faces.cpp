@@ -36,6 +36,7 @@ Result<void> read_grid_faces(const Container& container, const StreamLearning& l
                                      learning.of_grid(), known));
   faces.triangles = std::move(mesh.triangles);
   faces.grid_positions = std::move(mesh.positions);
+  faces.known = std::move(mesh.known);
   return {};
 }
 

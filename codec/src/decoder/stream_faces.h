@@ -13,6 +13,7 @@
 #include "decoder/stream_learning.h"
 #include "deltamesh/result.h"
 #include "format/container.h"
+#include "grid/known/vertex.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {
@@ -24,6 +25,7 @@ struct StreamFaces {
   LargeVector<DirectedEdge> open_edges;  ///< of the geometric faces; empty in the plain form and of a grid
   VertexRuns runs;                       ///< of the geometric vertices; likewise
   std::vector<float> grid_positions;     ///< n x 3, of a grid's geometric vertices; else empty
+  std::vector<KnownVertex> known;        ///< n, likewise, beside a known mesh; else empty
 
   bool is_split() const noexcept { return !copies.empty(); }
   /// m x 3, over the geometric vertices.

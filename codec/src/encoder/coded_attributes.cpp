@@ -25,13 +25,15 @@ bool attributes_use_positions(const MeshView& mesh, const EncodeOptions& options
 }
 
 Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& topology,
-                                  const EncodeOptions& options, std::span<const float> positions) {
+                                  const EncodeOptions& options, std::span<const float> positions,
+                                  std::span<const KnownVertex> known) {
   const std::span<const std::uint32_t> copies =
       topology.has_seams ? topology.seams.split.geometric : std::span<const std::uint32_t>();
   const bool is_split = !copies.empty() && !positions.empty();
   const std::vector<float> split = is_split ? copy_rows(positions, copies) : std::vector<float>();
-  const AttributeSurface surface(topology.triangles(), topology.vertex_count(), copies,
-                                 is_split ? split : positions);
+  AttributeSurface surface(topology.triangles(), topology.vertex_count(), copies,
+                           is_split ? split : positions);
+  surface.set_known(known);
   const ModelStates* const states = options.starting_states;
   AttributeSettings settings{
       .quality = options.attributes, .plain = options.profile == Profile::kZstd, .effort = options.effort};
@@ -41,6 +43,7 @@ Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& top
   for (const bool after_others : {false, true}) {
     for (std::size_t i = 0; i < attributes.size(); ++i) {
       if (decoded_after_others(attributes[i].kind) != after_others) continue;
+      settings.known = known_attribute(options.known, i, attributes[i].type, attributes[i].components);
       settings.start = states != nullptr ? states->models().of_attribute(i) : nullptr;
       DELTAMESH_TRY(coded[i],
                     write_attribute(attributes[i], topology.vertex_order(), settings, surface, decoded));

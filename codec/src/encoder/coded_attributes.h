@@ -10,6 +10,7 @@
 #include "deltamesh/result.h"
 #include "encoder/coded_topology.h"
 #include "entropy/chunk_list.h"
+#include "grid/known/vertex.h"
 
 namespace deltamesh {
 
@@ -17,9 +18,10 @@ namespace deltamesh {
 bool attributes_use_positions(const MeshView& mesh, const EncodeOptions& options) noexcept;
 
 /// One chunk for each attribute, in the mesh's order, within options.attributes. `positions`: n x 3 floats as
-/// decoded, of geometric vertices, or empty where decoders may differ in their last bits. Errors:
-/// kInvalidMesh.
+/// decoded, of geometric vertices, or empty where decoders may differ in their last bits. `known`: of these
+/// vertices, or empty. Errors: kInvalidMesh.
 Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& topology,
-                                  const EncodeOptions& options, std::span<const float> positions);
+                                  const EncodeOptions& options, std::span<const float> positions,
+                                  std::span<const KnownVertex> known);
 
 }  // namespace deltamesh

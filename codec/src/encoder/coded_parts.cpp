@@ -69,7 +69,10 @@ Result<Parts> code_both(const PartsTask& task, const Request& request, const Att
     topology = &in_grid->topology;
     chunks = &in_grid->chunks;
   }
-  DELTAMESH_TRY(ChunkList attributes, code_attributes(task.mesh, *topology, options, geometry.positions));
+  std::span<const KnownVertex> known;
+  if (geometry.grid) known = geometry.grid->known;
+  DELTAMESH_TRY(ChunkList attributes,
+                code_attributes(task.mesh, *topology, options, geometry.positions, known));
   task.progress.tick();
   rest.chunk_bytes = task.other_bytes + chunks->other_bytes() + attributes.bytes();
   const std::uint64_t bytes = rest.bytes_with(geometry);

@@ -87,13 +87,7 @@ Result<void> add_rest(CompactReader& reader, std::span<const std::uint32_t> tria
 }
 
 Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameters& parameters,
-                             grid::Limits& limits, GridModels& models, const KnownMesh* known) {
-  if (!grid::are_few(limits.bricks)) return broken("GRD-1");
-  std::optional<grid::KnownSurface> known_surface;
-  if (known != nullptr) {
-    known_surface = grid::KnownSurface::make(*known, parameters);
-    if (!known_surface) return broken("MAP-27");
-  }
+                             grid::Limits& limits, GridModels& models, const grid::KnownSurface* known) {
   const auto& [surface_bytes, rest_faces] = chunks;
   CompactReader reader(surface_bytes);
   grid::RestModels rest_models;
@@ -115,8 +109,7 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
     };
     surface.triangles.reserve(likely(limits.triangles));
     surface.bricks.reserve(likely(limits.vertices));
-    const char* const rule = read_surface(reader, parameters, limits, models,
-                                          known_surface ? &*known_surface : nullptr, surface, mesh.cells);
+    const char* const rule = read_surface(reader, parameters, limits, models, known, surface, mesh.cells);
     if (rule != nullptr && !reader.failed()) return broken(rule);
   }
   mesh.triangles = surface.triangles.take();
@@ -135,8 +128,15 @@ Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters&
                            const Learning<GridModels>& learning, const KnownMesh* known) {
   auto limits =
       grid::limits_of(parameters, vertices, triangles, known != nullptr ? known->positions.size() / 3 : 0);
+  if (!grid::are_few(limits.bricks)) return broken("GRD-1");
+  std::optional<grid::KnownSurface> surface;
+  if (known != nullptr) {
+    surface = grid::KnownSurface::make(*known, parameters);
+    if (!surface) return broken("MAP-27");
+  }
   const auto models = GridModels::begin(parameters.levels, learning.start);
-  DELTAMESH_TRY(const auto read, read_cells(chunks, parameters, limits, *models, known));
+  DELTAMESH_TRY(const auto read,
+                read_cells(chunks, parameters, limits, *models, surface ? &*surface : nullptr));
   if (read.cells.size() != vertices || read.triangles.size() != triangles) return broken("GRD-8");
   GridMesh mesh;
   reserve_large(mesh.triangles, 3 * read.triangles.size());
@@ -144,6 +144,7 @@ Result<GridMesh> read_grid(const GridChunks& chunks, const PredictiveParameters&
     mesh.triangles.insert(mesh.triangles.end(), triangle.begin(), triangle.end());
   mesh.positions = to_rows(read.cells, parameters.lattice);
   DELTAMESH_CHECK(check_finite(mesh.positions));
+  if (surface) mesh.known = surface->vertices_at(mesh.positions, parameters);
   if (learning.end != nullptr) *learning.end = std::move(*models);
   return mesh;
 }

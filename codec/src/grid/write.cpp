@@ -12,6 +12,7 @@
 #include "grid/places.h"
 #include "grid/source/cubes.h"
 #include "grid/source/rest.h"
+#include "positions/ordered_read.h"
 
 namespace deltamesh {
 namespace {
@@ -82,6 +83,11 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
   if (rest_size.vertices > 0)
     rest.write(writer, rest_models, {surface, surface_cells, parameters.levels}, cells, parameters, coded);
   coded.payloads.surface = writer.finish();
+  if (beside != nullptr) {
+    std::vector<Cell> coded_cells = in_order(cells, coded.vertex_order);
+    std::copy(surface_cells.begin(), surface_cells.end(), coded_cells.begin());
+    coded.known = beside->vertices_at(to_rows(coded_cells, parameters.lattice), parameters);
+  }
   coded.surface_cells = std::move(surface_cells);
   return coded;
 }

@@ -48,7 +48,7 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
     is_joined.reserve(rows.size());
     for (const std::uint32_t row : rows) is_joined.push_back(match.base_of[row] != kNotJoined ? 1 : 0);
     const Mesh& known = base.part.mesh;
-    const JoinedTo joined{{known.positions, known.triangles, match.stays}, is_joined};
+    const JoinedTo joined{{known.positions, known.triangles, match.stays, known.attributes}, is_joined};
     DELTAMESH_TRY(inserted, encode_part(state, part, quality, &joined));
   }
   PatchPlan plan{.stays = match.stays, .joins = {}};
@@ -69,6 +69,8 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
     for (std::size_t v = 0; v < patched.order.size(); ++v)
       most = std::max(most, color_difference(source.mesh.attributes[a], patched.order[v],
                                              patched.part.mesh.attributes[a], v));
+    const auto& bound = quality.attributes.color_error;
+    if (bound && most > kMeanTolerance * *bound) return std::optional<DecodedPart>();
     patched.coded.attribute_errors.push_back(most);
   }
   patched.coded.color_rms = color_rms(source.mesh, patched.part.mesh, patched.order);

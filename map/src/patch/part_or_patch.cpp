@@ -44,7 +44,7 @@ Result<MapPart> apply_patch(const MapCodec::State& state, const PartKey& key, co
                             const DecodeOptions& options) {
   DELTAMESH_TRY(const PatchBody opened, open_body(state.place_of(key), base_hash, body));
   PatchPlanReader plan_reader(opened.plan, base.mesh);
-  const KnownMesh known{base.mesh.positions, base.mesh.triangles, plan_reader.stays()};
+  const KnownMesh known{base.mesh.positions, base.mesh.triangles, plan_reader.stays(), base.mesh.attributes};
   MapPart inserted;
   if (!opened.inserted.empty()) {
     DELTAMESH_TRY(inserted, decode_whole(state, key, opened.inserted, options, &known));

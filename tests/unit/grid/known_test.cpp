@@ -95,6 +95,35 @@ TEST(KnownSurface, MAP29VerticesAreWhereOnesThatStayAre) {
   expect_back(other, base);
 }
 
+TEST(KnownSurface, MAP30VerticesAreFoundByTheirEdges) {
+  const CellMesh mesh = test::wavy_surface(40, 4);
+  std::vector<std::uint8_t> stays = all(mesh, 0);
+  std::vector<std::uint8_t> is_of_staying(mesh.cells.size(), 0);
+  for (std::size_t f = 0; f < stays.size(); f += 10) {
+    stays[f] = 1;
+    for (std::size_t c = 0; c < 3; ++c) is_of_staying[mesh.triangles[3 * f + c]] = 1;
+  }
+  const Base base(mesh, stays);
+  const CellMesh other = moved(mesh);
+  const KnownMesh view = base.view();
+  const auto coded = write_grid(other.triangles, other.cells, other.parameters, nullptr, &view);
+  ASSERT_TRUE(coded);
+  ASSERT_EQ(coded->known.size(), mesh.cells.size());
+  for (std::size_t v = 0; v < coded->known.size(); ++v) {
+    EXPECT_EQ(coded->known[v].row, coded->vertex_order[v]);
+    EXPECT_EQ(coded->known[v].stays, is_of_staying[coded->vertex_order[v]] != 0);
+  }
+  const auto read =
+      read_grid(chunks_of(coded->payloads), other.parameters, static_cast<std::uint32_t>(other.cells.size()),
+                static_cast<std::uint32_t>(other.triangles.size() / 3), {}, &view);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->known.size(), coded->known.size());
+  for (std::size_t v = 0; v < coded->known.size(); ++v) {
+    EXPECT_EQ(read->known[v].row, coded->known[v].row);
+    EXPECT_EQ(read->known[v].stays, coded->known[v].stays);
+  }
+}
+
 TEST(KnownSurface, MAP27AnyMeshMayBeKnown) {
   const CellMesh mesh = test::wavy_surface(30, 4);
   for (std::uint32_t seed = 0; seed < 30; ++seed) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "attributes/colors/copies.h"
+#include "attributes/colors/former.h"
 #include "attributes/colors/numbers.h"
 #include "attributes/colors/prediction.h"
 #include "base/memory/large_vector.h"
@@ -34,14 +35,15 @@ template <class Coder>
 class ColorCoder {
  public:
   /// `surface` must outlive the coder. `copies`: whether colours may be copied; ignored by readers. `start`:
-  /// null for fresh models.
+  /// null for fresh models. `former`: of all vertices, or empty.
   ColorCoder(Coder& coder, const AttributeSurface& surface, const ColorShape& shape, bool copies,
-             const ColorModels* start = nullptr)
+             const ColorModels* start = nullptr, LargeVector<FormerColor> former = {})
       : has_copies_(coder.bits(copies ? 1 : 0, 1) != 0),
         prediction_(surface),
         shape_(shape),
         copies_(shape, start != nullptr ? start->copies : ColorCopyModels()),
         numbers_(coder, shape, start != nullptr ? start->numbers : ColorNumberModels()),
+        former_(std::move(former)),
         colors_(surface.vertex_count()),
         memories_(surface.vertex_count()) {}
 
@@ -55,13 +57,34 @@ class ColorCoder {
     const ColorPlace place = prediction_.look(vertex);
     const ColorAround around = look_around(place, vertex);
     ColorMemory& memory = memories_[vertex];
-    memory.outcome = has_copies_ ? copies_.code(coder, place, colors_.data(), memories_.data(), levels)
-                                 : CopyOutcome::kNone;
+    memory.outcome = code_copy(coder, place, vertex, levels);
     numbers_.code(coder, around, memory, levels);
     colors_[vertex] = floats_of(levels);
+    if (!former_.empty() && former_[vertex].kind == FormerKind::kNone)
+      former_[vertex].levels = colors_[vertex];
   }
 
  private:
+  static constexpr float kFormerShare = 0.6875F;  ///< of what vertices differed by from those around
+
+  [[gnu::always_inline]] CopyOutcome code_copy(Coder& coder, const ColorPlace& place, std::uint32_t vertex,
+                                               ColorLevels& levels) {
+    const FormerColor* const former = former_of(vertex);
+    if (former != nullptr && former->kind == FormerKind::kStays) {
+      levels = levels_of(former->levels);
+      return CopyOutcome::kFirst;
+    }
+    if (!has_copies_) return CopyOutcome::kNone;
+    return copies_.code(coder, place, colors_.data(), memories_.data(),
+                        former != nullptr ? &former->levels : nullptr, levels);
+  }
+
+  /// Null where there is none.
+  const FormerColor* former_of(std::uint32_t vertex) const noexcept {
+    const bool has_one = !former_.empty() && former_[vertex].kind != FormerKind::kNone;
+    return has_one ? &former_[vertex] : nullptr;
+  }
+
   [[gnu::always_inline]] ColorAround look_around(const ColorPlace& place,
                                                  std::uint32_t vertex) const noexcept {
     ColorAround around;
@@ -70,6 +93,12 @@ class ColorCoder {
       expected += colors_[place.vertices[i]] * place.shares[i];
     around.is_first = place.vertices.empty();
     if (around.is_first && vertex > 0) expected = colors_[vertex - 1];
+    if (const FormerColor* const former = former_of(vertex); former != nullptr) [[unlikely]] {
+      FourFloats mean{};
+      for (std::size_t i = 0; i < place.vertices.size(); ++i)
+        mean += former_[place.vertices[i]].levels * place.shares[i];
+      expected = around.is_first ? former->levels : expected + (former->levels - mean) * kFormerShare;
+    }
     around.expected = clamped(expected, shape_.top);
     for (std::size_t i = 0; i < place.vertices.size(); ++i) {
       const std::uint32_t other = place.vertices[i];
@@ -86,7 +115,8 @@ class ColorCoder {
   ColorShape shape_;
   ColorCopies<Coder> copies_;
   ColorNumbers<Coder> numbers_;
-  LargeVector<FourFloats> colors_;  ///< levels, 4 of every vertex
+  LargeVector<FormerColor> former_;  ///< those without one: what was decoded; or empty
+  LargeVector<FourFloats> colors_;   ///< levels, 4 of every vertex
   LargeVector<ColorMemory> memories_;
 };
 

@@ -23,14 +23,17 @@ struct ColorModels;
 
 /// `rows`: of 1 to 4 components of `type`. `max_error`: the largest error of a component, 255ths of its
 /// range, 0 or above. Empty for other types than u8, u16 and f32, for floats that are not in [0, 1], and for
-/// exact floats that are not all whole 255ths or whole 65535ths. `start`: null for fresh models. O(n).
+/// exact floats that are not all whole 255ths or whole 65535ths. `start`: null for fresh models. `known`:
+/// what readers have of the surface's known vertices, or null. O(n).
 std::optional<CodedValues<std::byte>> write_surface_colors(ComponentType type, const AttributeRows& rows,
                                                            double max_error, const AttributeSurface& surface,
-                                                           const ColorModels* start = nullptr);
+                                                           const ColorModels* start = nullptr,
+                                                           const Attribute* known = nullptr);
 
 /// The values. Errors: kTruncated, kInvalidStream [ATTR-45, CMP-3].
 Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,
                                                    unsigned components, const AttributeSurface& surface,
-                                                   const Learning<ColorModels>& learning = {});
+                                                   const Learning<ColorModels>& learning = {},
+                                                   const Attribute* known = nullptr);
 
 }  // namespace deltamesh

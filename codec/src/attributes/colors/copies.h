@@ -18,11 +18,13 @@
 namespace deltamesh {
 
 struct ColorCopyModels {
-  static constexpr std::array<std::size_t, 2> kContexts = {3 * 8 * 8, 64 * 3};
+  static constexpr std::size_t kContextsOfKind = 192;  ///< without a former colour, and with one
+  static constexpr std::array<std::size_t, 2> kContexts = {2 * kContextsOfKind, 2 * kContextsOfKind};
   static constexpr SymbolModel kFresh{{16, 6, 3, 30, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 
   std::array<SymbolModels, 2> symbols{SymbolModels(kContexts[0], kFresh), SymbolModels(kContexts[1], kFresh)};
-  std::array<MixWeights, 6> weights;
+  static constexpr std::size_t kWeightsOfKind = 6;
+  std::array<MixWeights, 2 * kWeightsOfKind> weights;
 };
 
 /// `Coder` is CompactWriter or CompactReader.
@@ -36,26 +38,28 @@ class ColorCopies {
 
   const ColorCopyModels& models() const noexcept { return models_; }
 
-  /// Codes whether `levels` are those of a vertex near, within the bound, and then sets them so.
+  /// Codes whether `levels` are those of a vertex near, or its former ones, within the bound, and then sets
+  /// them so. `former`: null where there is none.
   [[gnu::always_inline]] CopyOutcome code(Coder& coder, const ColorPlace& place, const FourFloats* colors,
-                                          const ColorMemory* memories, ColorLevels& levels) {
-    if (!find_candidates(place, colors)) return CopyOutcome::kNothingToCopy;
-    const Contexts contexts = contexts_of(memories);
+                                          const ColorMemory* memories, const FourFloats* former,
+                                          ColorLevels& levels) {
+    if (!find_candidates(place, colors, former)) return CopyOutcome::kNothingToCopy;
+    const Contexts contexts = contexts_of(memories, former != nullptr);
     const Mixture<2> mixture{
         {&models_.symbols[0][contexts.models[0]], &models_.symbols[1][contexts.models[1]]},
         &models_.weights[contexts.weights]};
     const unsigned choice = coder.symbol(Coder::kWrites ? first_within_bound(levels) : kNotCopied, mixture);
     if (choice >= count_) return CopyOutcome::kNone;
-    for (std::size_t a = 0; a < kColorAxes; ++a)
-      levels[a] = static_cast<std::int32_t>(candidates_[choice].color[static_cast<int>(a)]);
+    levels = levels_of(candidates_[choice].color);
     return choice == 0 ? CopyOutcome::kFirst : CopyOutcome::kOther;
   }
 
  private:
   static constexpr unsigned kMost = 3;
   static constexpr unsigned kNotCopied = 3;
+  static constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
   struct Candidate {
-    std::uint32_t vertex;
+    std::uint32_t vertex;  ///< whose outcome counts, or kNoVertex
     FourFloats color;
   };
 
@@ -64,7 +68,7 @@ class ColorCopies {
     std::size_t weights;
   };
 
-  [[gnu::always_inline]] Contexts contexts_of(const ColorMemory* memories) const noexcept {
+  [[gnu::always_inline]] Contexts contexts_of(const ColorMemory* memories, bool has_former) const noexcept {
     const std::size_t few = count_ - 1;
     float differ = 0;
     for (unsigned i = 1; i < count_; ++i)
@@ -72,12 +76,15 @@ class ColorCopies {
     const std::size_t differ_class = class_of(differ, 7);
     const auto share = std::min<std::size_t>(static_cast<std::size_t>(share_of_first_ * 8), 7);
     const auto outcome = [&](unsigned i) {
-      return static_cast<std::size_t>(i < count_ ? memories[candidates_[i].vertex].outcome
-                                                 : CopyOutcome::kNothingToCopy);
+      const bool has_one = i < count_ && candidates_[i].vertex != kNoVertex;
+      return static_cast<std::size_t>(has_one ? memories[candidates_[i].vertex].outcome
+                                              : CopyOutcome::kNothingToCopy);
     };
-    return {.models = {(few * 8 + share) * 8 + differ_class,
-                       ((outcome(0) * 4 + outcome(1)) * 4 + outcome(2)) * 3 + few},
-            .weights = few * 2 + (outcome(0) == 0 ? 1 : 0)};
+    const std::size_t kind = has_former ? 1 : 0;
+    const std::size_t of_kind = kind * ColorCopyModels::kContextsOfKind;
+    return {.models = {of_kind + (few * 8 + share) * 8 + differ_class,
+                       of_kind + ((outcome(0) * 4 + outcome(1)) * 4 + outcome(2)) * 3 + few},
+            .weights = kind * ColorCopyModels::kWeightsOfKind + few * 2 + (outcome(0) == 0 ? 1 : 0)};
   }
 
   unsigned first_within_bound(const ColorLevels& levels) const noexcept {
@@ -101,10 +108,14 @@ class ColorCopies {
         static_cast<int>(std::bit_width(static_cast<std::uint32_t>(distance * one_over_step_))), most));
   }
 
-  /// The nearest vertex, the nearest of another colour, and the nearest of a third one, as far as there are.
-  [[gnu::always_inline]] bool find_candidates(const ColorPlace& place, const FourFloats* colors) noexcept {
+  /// The former colour, with the nearest vertex' outcome; then the nearest vertex, the nearest of another
+  /// colour, and the nearest of a third one, as far as there are.
+  [[gnu::always_inline]] bool find_candidates(const ColorPlace& place, const FourFloats* colors,
+                                              const FourFloats* former) noexcept {
     count_ = 0;
     share_of_first_ = 0;
+    if (former != nullptr) [[unlikely]]
+      candidates_[count_++] = {nearest_of(place), *former};
     while (count_ < kMost) {
       float most = 0;
       for (std::size_t k = 0; k < place.vertices.size(); ++k) {
@@ -123,6 +134,12 @@ class ColorCopies {
     for (std::size_t k = 0; k < place.vertices.size(); ++k)
       share_of_first_ += equal(colors[place.vertices[k]], candidates_[0].color) ? place.shares[k] : 0;
     return count_ > 0;
+  }
+
+  static std::uint32_t nearest_of(const ColorPlace& place) noexcept {
+    if (place.vertices.empty()) return kNoVertex;
+    const auto largest = std::max_element(place.shares.begin(), place.shares.end());
+    return place.vertices[static_cast<std::size_t>(largest - place.shares.begin())];
   }
 
   ColorShape shape_;

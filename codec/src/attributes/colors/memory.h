@@ -48,6 +48,14 @@ inline FourFloats floats_of(const ColorLevels& levels) noexcept {
                     static_cast<float>(levels[2]), static_cast<float>(levels[3])};
 }
 
+/// Of whole numbers.
+inline ColorLevels levels_of(FourFloats levels) noexcept {
+  ColorLevels whole{};
+  for (std::size_t a = 0; a < kColorAxes; ++a)
+    whole[a] = static_cast<std::int32_t>(levels[static_cast<int>(a)]);
+  return whole;
+}
+
 /// Not-a-number becomes 0.
 inline FourFloats clamped(FourFloats x, std::int32_t top) noexcept {
   const FourFloats none{};

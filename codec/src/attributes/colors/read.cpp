@@ -39,7 +39,8 @@ Result<ColorFields> read_fields(ByteReader& in, ComponentType type, unsigned com
 
 Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,
                                                    unsigned components, const AttributeSurface& surface,
-                                                   const Learning<ColorModels>& learning) {
+                                                   const Learning<ColorModels>& learning,
+                                                   const Attribute* known) {
   constexpr std::uint32_t kVerticesAtOnce = 1024;
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const ColorFields fields, read_fields(in, type, components));
@@ -53,7 +54,8 @@ Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> by
   }
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
   CompactReader first_reader(stream);
-  ColorCoder<CompactReader> coder(first_reader, surface, shape_of(fields, axes), false, learning.start);
+  ColorCoder<CompactReader> coder(first_reader, surface, shape_of(fields, axes), false, learning.start,
+                                  former_colors(surface, known, fields, axes));
   Held<CompactReader> reader = first_reader;
   for (std::uint32_t v = 0; v < rows; ++v) {
     if (v % kVerticesAtOnce == 0 && reader.failed()) break;

@@ -119,7 +119,7 @@ void write_fields(ByteWriter& out, const ColorFields& fields) {
 
 std::optional<CodedValues<std::byte>> write_surface_colors(ComponentType type, const AttributeRows& rows,
                                                            double max_error, const AttributeSurface& surface,
-                                                           const ColorModels* start) {
+                                                           const ColorModels* start, const Attribute* known) {
   const auto source = choose_levels(type, rows, max_error);
   if (!source) return std::nullopt;
   const ColorFields fields = find_fields(*source, static_cast<unsigned>(rows.components()));
@@ -131,7 +131,8 @@ std::optional<CodedValues<std::byte>> write_surface_colors(ComponentType type, c
   std::optional<ColorCoder<CompactWriter>> coder;
   if (axes.count > 0)
     coder.emplace(writer, surface, shape_of(fields, axes),
-                  copies_pay(source->levels, source->bound, surface.graph()), start);
+                  copies_pay(source->levels, source->bound, surface.graph()), start,
+                  former_colors(surface, known, fields, axes));
   for (std::uint32_t v = 0; v < rows.count(); ++v) {
     ColorLevels by_axis{};
     for (std::size_t a = 0; a < axes.count; ++a) by_axis[a] = source->levels[v][axes.components[a]];

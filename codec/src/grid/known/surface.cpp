@@ -145,6 +145,24 @@ bool KnownSurface::add_vertices(const KnownMesh& mesh, const PredictiveParameter
   return true;
 }
 
+std::vector<KnownVertex> KnownSurface::vertices_at(std::span<const float> positions,
+                                                   const PredictiveParameters& parameters) const {
+  std::vector<KnownVertex> vertices(positions.size() / 3);
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const Home home = Home::of(&positions[3 * v], parameters);
+    if (home.axis == kNoAxis) continue;
+    const Brick* const brick = bricks_.find(brick_of(home.node));
+    const auto spot = spot_in_brick(home.node);
+    const auto x = static_cast<unsigned>(spot[0]);
+    if (brick == nullptr ||
+        (brick->cut[static_cast<std::size_t>(spot[1] + kSide * spot[2])] & Brick::cut_bit(x, home.axis)) == 0)
+      continue;
+    const std::uint32_t row = bricks_.vertex(*brick, kSlots[0][x] + row_slot(spot[1], spot[2]), home.axis);
+    vertices[v] = {row, edges_[row].stays};
+  }
+  return vertices;
+}
+
 void KnownSurface::add_face(const Face& face, bool stays) {
   Brick& brick = bricks_.get(brick_of(face.lowest));
   const unsigned place = place_of(spot_in_brick(face.lowest));

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "format/predictive_parameters.h"
 #include "grid/bricks.h"
 #include "grid/cube/pattern.h"
+#include "grid/known/vertex.h"
 
 namespace deltamesh::grid {
 
@@ -51,6 +53,10 @@ class KnownSurface {
   const KnownEdge& edge(const Brick& brick, unsigned slot, unsigned axis) const noexcept {
     return edges_[bricks_.vertex(brick, slot, axis)];
   }
+
+  /// At each vertex of another mesh on the grid. `positions`: n x 3. O(n).
+  std::vector<KnownVertex> vertices_at(std::span<const float> positions,
+                                       const PredictiveParameters& parameters) const;
 
  private:
   struct Home;
