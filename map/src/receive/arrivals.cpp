@@ -46,7 +46,7 @@ Talk::Turn Talk::turn(double now, bool has_parts) noexcept {
   if (std::exchange(has_come_, false)) heard_ = now;
   if (wants_view_) return Turn::kView;
   if (credit_ > 0) {
-    const bool is_soon = (!has_parts || views_ > 0) && now - heard_ < kNoAnswer;
+    const bool is_soon = views_ > 0 || (!has_parts && now - heard_ < kNoAnswer);
     if (now - view_ >= (is_soon ? kSoon : kViewPeriod)) return Turn::kView;
     if (wants_receipt_ || (receipts_ > 0 && now - receipt_ >= kReceiptPeriod)) return Turn::kReceipt;
   }

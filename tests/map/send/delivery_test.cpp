@@ -116,18 +116,6 @@ TEST(MapDelivery, MAP21TheLastMessageIsSentAgainAfterTwoRoundTrips) {
   EXPECT_EQ(delivery.probe(14), std::nullopt);  // it was not sent at all
 }
 
-TEST(MapDelivery, MAP21WhatReplacesAMessageThatWasLostOnALongWayIsSentTwice) {
-  Delivery delivery;
-  for (double now = 8; now < 10; now += 0.3) delivery.hear({send(delivery, now), {}}, now + 0.3);
-  (void)send(delivery, 10);
-  ASSERT_EQ(delivery.take_lost(11).size(), 1U);  // whether a later one has told it or the time
-  EXPECT_TRUE(delivery.is_slow());
-  (void)delivery.take_lost(14);
-  (void)send(delivery, 15);
-  (void)delivery.take_lost(19);
-  EXPECT_FALSE(delivery.is_slow());  // it is not single messages that are lost
-}
-
 TEST(MapDelivery, MAP21WhereAllOfTheFirstMessagesAreLostOthersFollow) {
   Delivery delivery;
   for (int i = 0; i < 6; ++i) delivery.forget(send(delivery, 10));

@@ -69,9 +69,9 @@ class Delivery {
 
   /// Seconds after which a message without a reply is taken to be lost (RFC 6298).
   double timeout() const noexcept;
-  /// Whether a message that is lost once more would be late, where single ones are lost.
+  /// Whether a message that is lost once more would be late.
   bool is_slow() const noexcept {
-    return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ <= 1;
+    return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ == 0;
   }
   /// Bytes that may be sent before they would queue up on their way; one message in any case if it is above
   /// 0. None while what was sent long ago is not told of. When nothing new was sent for two round trips, one
