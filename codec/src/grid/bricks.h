@@ -56,9 +56,10 @@ class Bricks {
   [[gnu::always_inline]] void set_corners(Brick& brick, unsigned place, Signs outside, Signs inside) {
     if (beyond(place) != 0) [[unlikely]]
       get_beyond(brick, place);
-    const std::uint64_t both = outside | std::uint64_t{inside} << Brick::kInsideShift;
-    constexpr std::uint64_t kPair = 0x3'0000'0003;
-    const std::uint64_t pairs[4] = {both & kPair, both >> 2 & kPair, both >> 4 & kPair, both >> 6 & kPair};
+    const auto pair = [&](unsigned first) {
+      return std::uint64_t{outside >> first & 3} | std::uint64_t{inside >> first & 3} << Brick::kInsideShift;
+    };
+    const std::uint64_t pairs[4] = {pair(0), pair(2), pair(4), pair(6)};
     const std::size_t row = Brick::row_at(place);
     // In margins of other bricks they are, too.
     const CornerCopies& copies = copies_of(place);
@@ -86,17 +87,6 @@ class Bricks {
   [[gnu::always_inline]] std::uint32_t vertex(const Brick& brick, unsigned slot,
                                               unsigned axis) const noexcept {
     return vertices_[std::size_t{brick.blocks[slot / kBlockNodes]} * kBlockNodes + slot % kBlockNodes][axis];
-  }
-
-  /// Those of a brick that is looked at soon.
-  void prefetch_vertices(const Brick& brick) const noexcept {
-    for (const std::uint32_t block : brick.blocks) {
-      if (block == 0) continue;
-      const auto* const vertices =
-          reinterpret_cast<const char*>(&vertices_[std::size_t{block} * kBlockNodes]);
-      for (std::size_t i = 0; i < kBlockNodes * sizeof(vertices_[0]); i += 64)
-        __builtin_prefetch(vertices + i);
-    }
   }
 
   /// By place: lowest z first, then y, then x.

@@ -137,9 +137,8 @@ class Growth {
       const unsigned majority = window.majority(corner);
       CountedBit* const known = known_.sign_model(brick, place, corners, corner, majority);
       is_outside = coder.bit(is_outside, known != nullptr ? *known : models_.signs[3 * thirds + majority]);
-      const unsigned outside = is_outside ? 1U : 0U;
-      corners.outside |= outside << corner;
-      corners.inside |= (outside ^ 1U) << corner;
+      corners.outside |= (is_outside ? 1U : 0U) << corner;
+      corners.inside |= (is_outside ? 0U : 1U) << corner;
     }
     surface_.bricks.set_corners(brick, place, corners.outside, corners.inside);
     return corners.outside;

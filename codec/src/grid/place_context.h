@@ -14,18 +14,20 @@
 
 namespace deltamesh::grid {
 
+/// Places are in 64ths of an edge, from its middle: -32 to 32.
+inline constexpr int kHalfEdge = 32;
+
 /// A line of four nodes beside an edge, two on either side of its middle: where it is cut in the same
 /// direction as the edge.
 struct Column {
-  std::int16_t twice_height = 0;  ///< of the middle of that edge; or far beyond the ends
-  std::int8_t step = 0;           ///< from the edge beside to the one that is cut, along the axis
-  std::int8_t cut = 0;            ///< -1 if there is one
+  std::int8_t step = 0;     ///< from the edge beside to the one that is cut, along the axis
+  std::int8_t cut = 0;      ///< -1 if there is one
+  std::int16_t height = 0;  ///< of that edge's middle; or far beyond the ends
 };
 
 /// By the edge's first node (inside: 0, outside: 1) and the states of the four nodes: s0 + 4 s1 + 16 s2 + 64
 /// s3.
 inline constexpr std::array<std::array<Column, 256>, 2> kColumns = [] {
-  constexpr std::int16_t kEdge = 4 * PlaceWindow::kHalfEdge;
   std::array<std::array<Column, 256>, 2> columns{};
   for (int first = 1; first <= 2; ++first) {
     for (int i = 0; i < 256; ++i) {
@@ -33,33 +35,18 @@ inline constexpr std::array<std::array<Column, 256>, 2> kColumns = [] {
       Column column;
       const auto is_last = [&](int state) { return state == 3 - first; };
       if (s[1] == first && is_last(s[2])) {
-        column = {0, 0, -1};
+        column = {0, -1, 0};
       } else if (s[1] == first && s[2] == first) {
-        column = is_last(s[3]) ? Column{kEdge, 1, -1}
-                               : Column{static_cast<std::int16_t>(s[3] != 0 ? 216 : 116), 0, 0};
+        column = is_last(s[3]) ? Column{1, -1, 2 * kHalfEdge}
+                               : Column{0, 0, static_cast<std::int16_t>(s[3] != 0 ? 108 : 58)};
       } else if (is_last(s[1]) && is_last(s[2])) {
-        column = s[0] == first ? Column{-kEdge, -1, -1}
-                               : Column{static_cast<std::int16_t>(s[0] != 0 ? -216 : -116), 0, 0};
+        column = s[0] == first ? Column{-1, -1, -2 * kHalfEdge}
+                               : Column{0, 0, static_cast<std::int16_t>(s[0] != 0 ? -108 : -58)};
       }
       columns[static_cast<std::size_t>(first - 1)][static_cast<std::size_t>(i)] = column;
     }
   }
   return columns;
-}();
-
-/// By the states of an edge's nodes, s1 + 2 s2 - 3, and those of the four beside it: bit 0 if the edge to it
-/// is cut at the first node, bit 1 if it is at the other.
-inline constexpr std::array<std::array<std::uint8_t, 256>, 4> kCutAcross = [] {
-  std::array<std::array<std::uint8_t, 256>, 4> cut{};
-  for (int own = 0; own < 4; ++own) {
-    for (int i = 0; i < 256; ++i) {
-      const int first = (i >> 2 & 3) + 1 + own % 2 == 3 ? 1 : 0;
-      const int other = (i >> 4 & 3) + 1 + own / 2 == 3 ? 2 : 0;
-      cut[static_cast<std::size_t>(own)][static_cast<std::size_t>(i)] =
-          static_cast<std::uint8_t>(first + other);
-    }
-  }
-  return cut;
 }();
 
 /// Of a symbol and its models.
@@ -79,9 +66,9 @@ class PlaceSurroundings {
   /// Of the edge of kAxis that begins at the node `index`.
   [[gnu::always_inline]] PlaceSurroundings(const PlaceWindow& window, int index) noexcept
       : nodes_(window.nodes() + index),
-        doubles_(window.doubles(kAxis) + index),
-        next_cuts_(window.cuts((kAxis + 1) % 3) + index),
-        last_cuts_(window.cuts((kAxis + 2) % 3) + index),
+        own_(window.places(kAxis) + index),
+        next_(window.places((kAxis + 1) % 3) + index),
+        last_(window.places((kAxis + 2) % 3) + index),
         outside_(-(nodes_[0] >> 1)),
         columns_(kColumns[static_cast<std::size_t>(nodes_[0] >> 1)].data()) {}
 
@@ -89,15 +76,13 @@ class PlaceSurroundings {
   int is_outside() const noexcept { return outside_; }
 
   [[gnu::always_inline]] PlaceContext context() const noexcept {
-    const std::array<std::size_t, 4> beside = {states(-kNext), states(kNext), states(-kLast), states(kLast)};
-    const Height west(*this, -kNext, beside[0]);
-    const Height north(*this, -kLast, beside[2]);
-    const int sum = west.weighted() + Height(*this, kNext, beside[1]).weighted() + north.weighted() +
-                    Height(*this, kLast, beside[3]).weighted();
-    const Height beyond_west(*this, -2 * kNext);
-    const Height beyond_north(*this, -2 * kLast);
-    const Height between(*this, -kNext - kLast);
-    const Height across(*this, kNext < kLast ? kNext - kLast : kLast - kNext);
+    const Height west = height(-kNext);
+    const Height north = height(-kLast);
+    const int sum = weighted(west) + weighted(height(kNext)) + weighted(north) + weighted(height(kLast));
+    const Height beyond_west = height(-2 * kNext);
+    const Height beyond_north = height(-2 * kLast);
+    const Height between = height(-kNext - kLast);
+    const Height across = height(kNext < kLast ? kNext - kLast : kLast - kNext);
     const int turn = west.value - north.value;
     Candidates candidates;
     candidates.add(2 * west.value - beyond_west.value, west.known & beyond_west.known);
@@ -108,17 +93,19 @@ class PlaceSurroundings {
     candidates.add(across.value + (kNext < kLast ? turn : -turn), both & across.known);
     const int mean = seen(sum >> 3);
     const int smooth = seen(candidates.mean());
-    const std::uint8_t* const cut =
-        kCutAcross[(nodes_[0] + 2U * nodes_[kOwn] - 3) % kCutAcross.size()].data();
-    const unsigned are_cut = cut[beside[0]] | cut[beside[1]] | cut[beside[2]] | cut[beside[3]];
-    const End first = end(kOwn & outside_, are_cut >> -outside_ & 1);
-    const End last = end(kOwn & ~outside_, are_cut >> (1 + outside_) & 1);
-    const int first_known = first.kind > 1 ? 1 : 0;
-    const int last_known = last.kind > 1 ? 1 : 0;
-    const int line = (mean + ((first.distance - last.distance) >> 1)) >> (first_known | last_known);
+    const End begin = end(0);
+    const End other = end(kOwn);
+    const int swap_kind = (begin.kind ^ other.kind) & outside_;
+    const int swap_distance = (begin.distance ^ other.distance) & outside_;
+    const int first_kind = begin.kind ^ swap_kind;
+    const int last_kind = other.kind ^ swap_kind;
+    const int by_ends = ((begin.distance ^ swap_distance) - (other.distance ^ swap_distance)) >> 1;
+    const int first_known = first_kind > 1 ? 1 : 0;
+    const int last_known = last_kind > 1 ? 1 : 0;
+    const int line = (mean + by_ends) >> (first_known | last_known);
     const int spread = candidates.spread_class();
     const int smooth_class = (1 + std::clamp((smooth + 40) >> 2, 0, 19)) & candidates.any();
-    return {static_cast<unsigned>((first.kind * 8 + last.kind) * 6 + std::clamp((mean + 48) >> 4, 0, 5)),
+    return {static_cast<unsigned>((first_kind * 8 + last_kind) * 6 + std::clamp((mean + 48) >> 4, 0, 5)),
             static_cast<unsigned>((smooth_class * 4 + spread) * 6 + std::clamp((line + 24) >> 3, 0, 5)),
             static_cast<unsigned>((first_known + 2 * last_known) * 4 + spread)};
   }
@@ -131,18 +118,7 @@ class PlaceSurroundings {
 
   int seen(int height) const noexcept { return (height ^ outside_) - outside_; }
 
-  /// Of the cut of a column, 64ths of an edge; -1 if its place is known.
   struct Height {
-    [[gnu::always_inline]] Height(const PlaceSurroundings& own, int away, std::size_t states) noexcept {
-      const Column& column = own.columns_[states];
-      const int twice = column.twice_height + (own.doubles_[away + column.step * kOwn] & column.cut);
-      value = twice >> 1;
-      known = -(twice & 1);
-    }
-    [[gnu::always_inline]] Height(const PlaceSurroundings& own, int away) noexcept
-        : Height(own, away, own.states(away)) {}
-    int weighted() const noexcept { return value + ((2 * value) & known); }
-
     int value;
     int known;
   };
@@ -159,7 +135,7 @@ class PlaceSurroundings {
     int mean() const noexcept { return sum_ * kOneOver[count_] >> 8; }
     int spread_class() const noexcept {
       const int spread = most_ - least_;
-      return (1 - ((9 - spread) >> 31) - ((39 - spread) >> 31)) & (1 - count_) >> 3;
+      return (1 + (spread >= 10 ? 1 : 0) + (spread >= 40 ? 1 : 0)) & (1 - count_) >> 3;
     }
 
    private:
@@ -177,8 +153,7 @@ class PlaceSurroundings {
   };
 
   /// Of the four nodes of a column, two bits each.
-  [[gnu::always_inline]] std::size_t states(int away) const noexcept {
-    const std::uint8_t* const node = nodes_ + away;
+  [[gnu::always_inline]] static std::size_t states(const std::uint8_t* node) noexcept {
     if constexpr (kAxis == 0) {
       std::uint32_t four = 0;
       std::memcpy(&four, node - 1, sizeof(four));
@@ -187,21 +162,47 @@ class PlaceSurroundings {
     return node[-kOwn] + 4U * node[0] + 16U * node[kOwn] + 64U * node[2 * kOwn];
   }
 
-  /// `is_cut`: 1 if some edge across is, else 0.
-  [[gnu::always_inline]] End end(int away, unsigned is_cut) const noexcept {
-    const int cuts = next_cuts_[away] + last_cuts_[away];
-    const int count = cuts / PlaceWindow::kOneCut;
+  /// -1 if the place is one.
+  static int known(std::int8_t place) noexcept { return (place - PlaceWindow::kNoPlace) >> 8; }
+
+  [[gnu::always_inline]] Height height(int away) const noexcept {
+    const Column& column = columns_[states(nodes_ + away)];
+    const std::int8_t place = own_[away + column.step * kOwn];
+    const int is_known = known(place) & column.cut;
+    return {column.height + (place & is_known), is_known};
+  }
+  static int weighted(const Height& height) noexcept {
+    return height.value + ((2 * height.value) & height.known);
+  }
+
+  [[gnu::always_inline]] End end(int away) const noexcept {
+    const std::uint8_t* const node = nodes_ + away;
+    int sum = 0;
+    int count = 0;
+    int any_cut = 0;
+    // `begins`: the edge begins at this end.
+    const auto look = [&](const std::int8_t* places, int edge, int other, bool begins) {
+      const int cut = -((node[other] + node[0]) == 3 ? 1 : 0);
+      const std::int8_t place = places[away + edge];
+      const int is_known = known(place) & cut;
+      any_cut |= cut;
+      count -= is_known;
+      sum += (kHalfEdge + (begins ? place : -place)) & is_known;
+    };
+    look(next_, -kNext, -kNext, false);
+    look(next_, 0, kNext, true);
+    look(last_, -kLast, -kLast, false);
+    look(last_, 0, kLast, true);
     const int if_known = -count >> 3;
-    const int distance = (cuts % PlaceWindow::kOneCut) * kOneOver[count] >> 8;
-    const int kind =
-        ((2 + std::min(5, distance * 6 >> 6)) & if_known) | (static_cast<int>(is_cut) & ~if_known);
-    return {distance + (PlaceWindow::kHalfEdge & ~if_known), kind};
+    const int distance = sum * kOneOver[count] >> 8;
+    const int kind = ((2 + std::min(5, distance * 6 >> 6)) & if_known) | (-any_cut & ~if_known);
+    return {distance + (kHalfEdge & ~if_known), kind};
   }
 
   const std::uint8_t* nodes_;
-  const std::int8_t* doubles_;
-  const std::uint16_t* next_cuts_;
-  const std::uint16_t* last_cuts_;
+  const std::int8_t* own_;
+  const std::int8_t* next_;
+  const std::int8_t* last_;
   int outside_;
   const Column* columns_;
 };

@@ -30,16 +30,12 @@ class PlaceWindow {
   enum State : std::uint8_t { kUnknown = 0, kInsideNode = 1, kOutsideNode = 2 };
   /// Of a place on an edge that is not known.
   static constexpr std::int8_t kNoPlace = 127;
-  static constexpr int kHalfEdge = 32;  ///< places are in 64ths of an edge, from its middle: -32 to 32
+
+  PlaceWindow() noexcept { places_.fill(kNoPlace); }
 
   /// `places`: of vertices; those of bricks before `brick` [GRD-9] are known.
   void load(const Brick& brick, const Bricks& bricks, std::span<const std::int8_t> places) {
-    for (std::size_t i = 0; i < known_count_; ++i) {
-      const auto [at_edge, at_end] = known_[i];
-      doubles_[at_edge] = 0;
-      cuts_[at_edge] = 0;
-      cuts_[at_end] = 0;
-    }
+    for (std::size_t i = 0; i < known_count_; ++i) places_[known_[i]] = kNoPlace;
     known_count_ = 0;
     std::uint8_t* nodes = nodes_.data();
     for (int z = -kAround; z < kSide + kAround; ++z)
@@ -51,33 +47,14 @@ class PlaceWindow {
   }
 
   /// Of an edge that had none.
-  [[gnu::always_inline]] void set(unsigned axis, int index, std::int8_t place) noexcept {
-    const auto node = static_cast<std::size_t>(index);
-    const auto step = static_cast<std::size_t>(kStep[axis]);
-    const std::size_t at_edge = axis * kSize + node;
-    const bool is_cut = nodes_[node] + nodes_[node + step] == kInsideNode + kOutsideNode;
-    doubles_[at_edge] = static_cast<std::int8_t>(2 * place + 1);
-    const auto add = [&](std::size_t at, int distance) {
-      cuts_[at] = static_cast<std::uint16_t>(cuts_[at] + (is_cut ? kOneCut + distance : 0));
-    };
-    add(at_edge, kHalfEdge + place);
-    add(at_edge + step, kHalfEdge - place);
-    known_[known_count_++] = {static_cast<std::uint16_t>(at_edge),
-                              static_cast<std::uint16_t>(at_edge + step)};
-  }
-
-  std::int8_t place(unsigned axis, int index) const noexcept {
-    const std::int8_t twice = doubles(axis)[index];
-    return twice == 0 ? kNoPlace : static_cast<std::int8_t>(twice >> 1);
+  void set(unsigned axis, int index, std::int8_t place) noexcept {
+    const std::size_t at_edge = axis * kSize + static_cast<std::size_t>(index);
+    places_[at_edge] = place;
+    known_[known_count_++] = static_cast<std::uint16_t>(at_edge);
   }
 
   const std::uint8_t* nodes() const noexcept { return nodes_.data(); }
-  /// Of edges: twice the place, and 1; 0 if it is not known.
-  const std::int8_t* doubles(unsigned axis) const noexcept { return doubles_.data() + axis * kSize; }
-  /// Of nodes: kOneCut times the number of edges of the axis that begin or end there, have different ends and
-  /// a known place, and the sum of the distances of these from the node.
-  const std::uint16_t* cuts(unsigned axis) const noexcept { return cuts_.data() + axis * kSize; }
-  static constexpr int kOneCut = 1 << 9;
+  const std::int8_t* places(unsigned axis) const noexcept { return places_.data() + axis * kSize; }
 
  private:
   /// Eight bits as eight bytes.
@@ -120,11 +97,9 @@ class PlaceWindow {
     }
   }
 
-  std::array<std::uint8_t, kSize + kStep[2]> nodes_{};  ///< those behind them are never read with a meaning
-  std::array<std::int8_t, 3 * kSize> doubles_{};
-  std::array<std::uint16_t, 3 * kSize + kStep[2]> cuts_{};
-  /// Places in `doubles_` that have one, and where the edge ends in `cuts_`.
-  std::array<std::array<std::uint16_t, 2>, 3 * kSize> known_;
+  std::array<std::uint8_t, kSize + 8> nodes_{};
+  std::array<std::int8_t, 3 * kSize> places_;
+  std::array<std::uint16_t, 3 * kSize> known_;  ///< where `places_` has some
   std::size_t known_count_ = 0;
 };
 

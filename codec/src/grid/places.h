@@ -4,14 +4,12 @@
 // Where edges are cut, all nodes and faces being known [GRD-9, GRD-10]. One template for both directions.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "base/memory/large_vector.h"
 #include "entropy/coder/held_coder.h"
@@ -63,10 +61,7 @@ class PlaceCoder {
   /// rule that a stream breaks.
   const char* code(std::span<Cell> cells) {
     const auto window = std::make_unique<PlaceWindow>();
-    const std::vector<Brick*> bricks = surface_.bricks.in_order();
-    for (std::size_t i = 0; i < bricks.size(); ++i) {
-      const Brick* const brick = bricks[i];
-      surface_.bricks.prefetch_vertices(*bricks[std::min(i + 1, bricks.size() - 1)]);
+    for (const Brick* const brick : surface_.bricks.in_order()) {
       if (!has_cuts(*brick)) continue;
       window->load(*brick, surface_.bricks, places_);
       known_.load(*brick, *window);
@@ -150,7 +145,7 @@ class PlaceCoder {
         level = 0;
       }
     }
-    const auto place = static_cast<std::int8_t>(place_of_level(level) - PlaceWindow::kHalfEdge);
+    const auto place = static_cast<std::int8_t>(place_of_level(level) - kHalfEdge);
     places_[vertex] = place;
     window.set(kAxis, index, place);
     Cell cell = row.cell;

@@ -94,7 +94,7 @@ class PlainContext {
   static int factor(std::size_t count) { return std::vector<int>{0, 256, 128, 85, 64}[count]; }
   int state(int node) const { return window_.nodes()[node]; }
   std::optional<int> cut(unsigned axis, int edge) const {
-    const int place = window_.place(axis, edge);
+    const int place = window_.places(axis)[edge];
     return place == PlaceWindow::kNoPlace ? std::nullopt : std::optional(place);
   }
 

@@ -64,13 +64,8 @@ class CompactReader {
   /// `model`: BitModel or CountedBit.
   template <class Model>
   [[gnu::always_inline]] bool bit(bool, Model& model) noexcept {
-    const std::uint32_t set = model.probability();
-    const bool value = slot_of_state() < set;
-    // A set bit has the interval from 0 to `set`. Without a branch, which would often go wrong.
-    const std::uint64_t of_set = set * (state_ >> kProbabilityBits);
-    const std::uint64_t if_set = of_set + slot_of_state();
-    const std::uint64_t if_clear = state_ - of_set - set;
-    advance(if_clear ^ ((if_clear ^ if_set) & (std::uint64_t{0} - (value ? 1 : 0))));
+    const bool value = slot_of_state() < model.probability();
+    take(model.interval(value));
     model.learn(value);
     return value;
   }

@@ -46,7 +46,7 @@ class KnownPlaces {
   CountedBit& model(const PlaceWindow& window, int index, unsigned axis) noexcept {
     std::array<unsigned, 2> count{};
     const auto look = [&](unsigned k, int at) {
-      const std::int8_t now = window.place(k, at);
+      const std::int8_t now = window.places(k)[at];
       const std::int8_t before = cuts_[k * PlaceWindow::kSize + static_cast<std::size_t>(at)];
       if (now != PlaceWindow::kNoPlace && before != PlaceWindow::kNoPlace) ++count[now == before ? 1 : 0];
     };
@@ -78,7 +78,7 @@ class KnownPlaces {
               surface_->edge(known, row_slot(y, z) + kSlots[0][static_cast<std::size_t>(x)], axis);
           const int at = PlaceWindow::at({x + shift[0], y + shift[1], z + shift[2]});
           cuts_[axis * PlaceWindow::kSize + static_cast<std::size_t>(at)] = edge.cut;
-          if (edge.stays && window.place(axis, at) == PlaceWindow::kNoPlace) window.set(axis, at, edge.cut);
+          if (edge.stays && window.places(axis)[at] == PlaceWindow::kNoPlace) window.set(axis, at, edge.cut);
         }
       }
     }
