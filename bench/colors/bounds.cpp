@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "colors/colors_alone.h"
 #include "deltamesh/encode.h"
 #include "peers/draco_mesh.h"
 #include "peers/measure.h"
@@ -38,12 +39,10 @@ AttributeInfo coded_colors(const Mesh& mesh, EncodeOptions options, double bound
 }
 
 /// Nothing for a mesh without 8-bit colours.
-std::optional<ColorRow> compare_mesh(const std::string& name, Mesh mesh) {
-  std::erase_if(mesh.attributes, [](const Attribute& a) {
-    return a.kind != AttributeKind::kColor || a.type != ComponentType::kU8;
-  });
-  if (mesh.attributes.empty()) return std::nullopt;
-  mesh.attributes.resize(1);
+std::optional<ColorRow> compare_mesh(const std::string& name, Mesh loaded) {
+  const auto colored = colors_alone(std::move(loaded));
+  if (!colored) return std::nullopt;
+  const Mesh& mesh = *colored;
   const auto draco = value_or_exit(measure(*make_draco_peer(kLevel, kBits), name, welded_geometry(mesh)));
   EncodeOptions options;
   options.quality.vde = QualityBound{.value = draco.quality.vde_rms};

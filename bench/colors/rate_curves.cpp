@@ -9,6 +9,7 @@
 
 #include "attributes/haar/picture.h"
 #include "attributes/haar/writer.h"
+#include "colors/colors_alone.h"
 #include "colors/octree_levels.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
@@ -133,12 +134,10 @@ ColorRate ColorCurves::at(ColorCoder coder, double decibels) const {
           .difference = between(a.difference, b.difference)};
 }
 
-std::optional<ColorCurves> measure_color_curves(Mesh mesh) {
-  std::erase_if(mesh.attributes, [](const Attribute& a) {
-    return a.kind != AttributeKind::kColor || a.type != ComponentType::kU8 || a.components < 3;
-  });
-  if (mesh.attributes.empty()) return std::nullopt;
-  mesh.attributes.resize(1);
+std::optional<ColorCurves> measure_color_curves(Mesh loaded) {
+  const auto colored = colors_alone(std::move(loaded));
+  if (!colored || colored->attributes.front().components < 3) return std::nullopt;
+  const Mesh& mesh = *colored;
   const Mesh coded = value_or_exit(decode(encode_within(mesh, 0).bytes));
   const Levels colors = levels_of(coded.attributes.front());
   const AttributeSurface surface(coded.triangles, static_cast<std::uint32_t>(colors.size() / 3), {},

@@ -39,6 +39,6 @@ struct ColorCurves {
 };
 
 /// Nothing for a mesh without 8-bit colours. Predictive geometry, effort 0. Exits where a codec fails.
-std::optional<ColorCurves> measure_color_curves(Mesh mesh);
+std::optional<ColorCurves> measure_color_curves(Mesh loaded);
 
 }  // namespace deltamesh::bench

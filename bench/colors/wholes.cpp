@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "colors/colors_alone.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "peers/draco_mesh.h"
@@ -74,16 +75,6 @@ WholeMesh measure_mesh(const Mesh& mesh) {
   return whole;
 }
 
-/// Nothing for a mesh without 8-bit colours.
-std::optional<Mesh> with_colors_alone(Mesh mesh) {
-  std::erase_if(mesh.attributes, [](const Attribute& a) {
-    return a.kind != AttributeKind::kColor || a.type != ComponentType::kU8;
-  });
-  if (mesh.attributes.empty()) return std::nullopt;
-  mesh.attributes.resize(1);
-  return mesh;
-}
-
 }  // namespace
 
 int compare_whole_meshes(const std::vector<std::string>& files) {
@@ -96,7 +87,7 @@ int compare_whole_meshes(const std::vector<std::string>& files) {
   GeometricMean encode_mean;
   GeometricMean decode_mean;
   for (const std::string& file : files) {
-    const auto mesh = with_colors_alone(value_or_exit(load_mesh(file)));
+    const auto mesh = colors_alone(value_or_exit(load_mesh(file)));
     if (!mesh) continue;
     const WholeMesh whole = measure_mesh(*mesh);
     encode_mean.add(whole.encode_over_exact);
