@@ -22,7 +22,7 @@ struct VoxelFit {
   double noise = 0;                ///< how far from a plane a coordinate on it may be
   double share = 0;                ///< of the vertices on an edge
   double in_cubes = 0;             ///< share of the faces that lie in a cube, their corners on its edges
-  bool is_along_one_axis = false;  ///< nearly all of these edges: perhaps heights over a grid
+  bool is_along_one_axis = false;  ///< nearly all of these edges are: perhaps heights over a grid
   bool is_given = false;           ///< `origin` stays that of the lattice, wherever the mesh is
 };
 

@@ -29,8 +29,8 @@ class Congestion {
   }
 
   double limit() const noexcept { return limit_; }
-  /// Seconds that a reply takes at the most where nothing queues up. The shortest round trip may have been in
-  /// a queue too.
+  /// The longest that a reply takes where nothing queues up, seconds: 2 at most, as even the shortest round
+  /// trip may have been in a queue.
   double longest() const noexcept { return std::clamp(2 * least_, kLongest, kMostLongest); }
   /// Whether a reply takes so long that there must be a queue, to which the limit is still to follow.
   bool is_too_long(double seconds) const noexcept { return seconds > kTooLong * longest(); }

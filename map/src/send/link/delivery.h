@@ -74,8 +74,8 @@ class Delivery {
     return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ == 0;
   }
   /// Bytes that may be sent before they would queue up on their way; one message in any case if it is above
-  /// 0. None while what was sent long ago is not told of. When nothing new was sent for two round trips, one
-  /// message.
+  /// 0. It is 0 while messages of long ago are unanswered. Where nothing new was sent for two round trips, it
+  /// is one message.
   double room(double now) const noexcept;
   /// Whether the receiver has not been heard for so long that nothing is worth sending.
   bool is_silent(double now) const noexcept;
