@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/numbers/portable_math.h"
 #include "base/try.h"
 #include "deltamesh/attribute_quality.h"
 #include "encoder/coded_attributes.h"
@@ -51,94 +52,134 @@ struct Parts {
   std::uint64_t bytes = 0;  ///< of the whole stream
 };
 
-/// Attributes within their bounds, on the geometry that keeps `request`.
-Result<Parts> code_both(const PartsTask& task, const Request& request, const AttributeQuality& bounds) {
-  EncodeOptions options = task.options;
-  options.attributes = bounds;
-  options.effort = request.effort;
-  const TopologyChunks* chunks = &task.topology_chunks;
-  StreamRest rest{task.header, task.other_bytes + chunks->other_bytes(), chunks->faces.bytes()};
-  DELTAMESH_TRY(Candidate geometry, code_geometry(request, task.source, rest));
-  task.progress.tick();
-  const CodedTopology* topology = &task.topology;
-  std::optional<GridTopology> in_grid;
-  if (geometry.grid) {
-    CodedTopology ordered = in_grid_order(task.mesh, task.topology, *geometry.grid);
-    TopologyChunks ordered_chunks = code_topology_chunks(task.mesh, task.options, ordered);
-    in_grid = GridTopology{std::move(ordered), std::move(ordered_chunks)};
-    topology = &in_grid->topology;
-    chunks = &in_grid->chunks;
-  }
-  std::span<const KnownVertex> known;
-  if (geometry.grid) known = geometry.grid->known;
-  DELTAMESH_TRY(ChunkList attributes,
-                code_attributes(task.mesh, *topology, options, geometry.positions, known));
-  task.progress.tick();
-  rest.chunk_bytes = task.other_bytes + chunks->other_bytes() + attributes.bytes();
-  const std::uint64_t bytes = rest.bytes_with(geometry);
-  return Parts{{std::move(geometry), std::move(attributes), std::move(in_grid)}, bytes};
+std::uint64_t bytes_of(const PartsTask& task, const CodedParts& parts) {
+  const TopologyChunks& chunks = parts.in_grid ? parts.in_grid->chunks : task.topology_chunks;
+  const std::uint64_t others = task.other_bytes + chunks.other_bytes() + parts.attributes.bytes();
+  return StreamRest{task.header, others, task.topology_chunks.faces.bytes()}.bytes_with(parts.geometry);
 }
 
-/// All errors grow and shrink together until the stream has the bytes asked for.
+/// Attributes within `bounds` on the geometry of `parts`.
+Result<ChunkList> code_attributes_of(const PartsTask& task, int effort, const AttributeQuality& bounds,
+                                     const CodedParts& parts) {
+  EncodeOptions options = task.options;
+  options.attributes = bounds;
+  options.effort = effort;
+  std::span<const KnownVertex> known;
+  if (parts.geometry.grid) known = parts.geometry.grid->known;
+  auto attributes = code_attributes(task.mesh, parts.in_grid ? parts.in_grid->topology : task.topology,
+                                    options, parts.geometry.positions, known);
+  task.progress.tick();
+  return attributes;
+}
+
+/// Attributes within their bounds, on the geometry that keeps `request`.
+Result<Parts> code_both(const PartsTask& task, const Request& request, const AttributeQuality& bounds) {
+  const TopologyChunks& chunks = task.topology_chunks;
+  const StreamRest rest{task.header, task.other_bytes + chunks.other_bytes(), chunks.faces.bytes()};
+  DELTAMESH_TRY(Candidate geometry, code_geometry(request, task.source, rest));
+  task.progress.tick();
+  CodedParts parts{std::move(geometry), {}, {}};
+  if (parts.geometry.grid) {
+    CodedTopology ordered = in_grid_order(task.mesh, task.topology, *parts.geometry.grid);
+    TopologyChunks ordered_chunks = code_topology_chunks(task.mesh, task.options, ordered);
+    parts.in_grid = GridTopology{std::move(ordered), std::move(ordered_chunks)};
+  }
+  DELTAMESH_TRY(parts.attributes, code_attributes_of(task, request.effort, bounds, parts));
+  const std::uint64_t bytes = bytes_of(task, parts);
+  return Parts{std::move(parts), bytes};
+}
+
+/// All errors grow and shrink together until the stream nearly has the bytes asked for. What is left, as
+/// places come in levels, is for attributes; and what these leave, as some are exact, for places.
 class SharedBudget {
  public:
   SharedBudget(const PartsTask& task, const Request& request)
       : task_(task),
         request_(request),
-        budget_(*request.target_bytes),
+        budget_(static_cast<double>(*request.target_bytes)),
         unit_(default_error(task.source.triangles, task.source.positions, task.source.extent)) {
     request_.target_bytes.reset();
   }
 
-  /// A quick search first: the stream of a whole one is smaller, but not by much.
   Result<CodedParts> run() {
-    double scale = 1;
-    if (request_.effort >= kSearchEffort) {
-      const int effort = std::exchange(request_.effort, 0);
-      DELTAMESH_TRY(scale, search({.first = scale, .trials = kQuickTrials}));
-      request_.effort = effort;
-      best_.reset();
-    }
-    DELTAMESH_TRY(scale, search({.first = scale, .trials = kTrials}));
-    // Colours within a bound of 0 take far more than within 1: what lies between is for places.
-    if (best_ && static_cast<double>(best_->bytes) < kWellUsed * static_cast<double>(budget_))
-      DELTAMESH_CHECK(search({.first = scale / 2, .most = scale, .trials = kTrials, .of_attributes = scale}));
-    if (best_ && scale <= kFinest) DELTAMESH_CHECK(try_exactly());
+    DELTAMESH_CHECK(scale_all());
     if (!best_) return too_few_bytes(fewest_);
+    if (excess(*best_) < kFull) DELTAMESH_CHECK(refine_attributes());
+    if (excess(*best_) < kWell) DELTAMESH_CHECK(refine_places());
+    if (scale_ <= kFinest) DELTAMESH_CHECK(try_exactly());
     return std::move(best_->coded);
   }
 
  private:
   static constexpr double kFinest = 1.0 / 4096;
   static constexpr double kCoarsest = 4096;
-  static constexpr int kQuickTrials = 6;
-  static constexpr int kTrials = 5;
-  static constexpr double kWellUsed = 0.97;  ///< of the bytes
+  static constexpr double kAim = -0.005;   ///< an excess: 0.997 of the bytes
+  static constexpr double kFull = -0.015;  ///< 0.99
+  static constexpr double kWell = -0.045;  ///< 0.97
+  static constexpr double kSlope = -0.6;   ///< of all bytes over all errors, mostly; of attributes alone -1
 
-  struct Range {
-    double first = 1;
-    double most = kCoarsest;
-    int trials = kTrials;
-    std::optional<double> of_attributes = std::nullopt;  ///< a scale that attributes keep
-  };
+  /// Binary logarithm of the bytes over those asked for.
+  double excess(const Parts& parts) const noexcept {
+    return portable_log2(static_cast<double>(parts.bytes) / budget_);
+  }
 
-  /// Returns the best scale.
-  Result<double> search(const Range& range) {
-    const std::uint64_t vertices = task_.source.positions.size();
-    Bracket bracket({.first = range.first,
+  Result<void> scale_all() {
+    Bracket bracket({.first = 1,
                      .least = kFinest,
-                     .most = range.most,
-                     .slope = -1,
-                     .aim = excess_of_bytes(budget_, budget_ + budget_ / 300, vertices),
-                     .tolerance = excess_of_bytes(budget_, budget_ + budget_ / 100, vertices),
-                     .trials = range.trials});
+                     .most = kCoarsest,
+                     .slope = kSlope,
+                     .aim = kAim,
+                     .tolerance = kWell,
+                     .trials = 4});
     while (!bracket.is_done()) {
-      const double scale = bracket.setting();
-      DELTAMESH_TRY(Parts parts, code(scale, range.of_attributes.value_or(scale)));
+      DELTAMESH_TRY(Parts parts, code(bracket.setting(), bracket.setting()));
       fewest_ = std::min(fewest_, parts.bytes);
-      if (bracket.tell(excess_of_bytes(parts.bytes, budget_, vertices))) best_ = std::move(parts);
+      if (bracket.tell(excess(parts))) best_ = std::move(parts);
     }
-    return bracket.best();
+    scale_ = scale_of_attributes_ = bracket.best();
+    return {};
+  }
+
+  /// Of the errors of attributes or of places alone, from the best on, where they have this share of the
+  /// bytes.
+  Bracket refinement(double share) const {
+    Bracket bracket({.first = scale_,
+                     .least = scale_ / 8,
+                     .most = scale_,
+                     .slope = -std::max(share, 0.05),
+                     .aim = kAim,
+                     .tolerance = kFull,
+                     .trials = 3});
+    bracket.tell(excess(*best_));
+    return bracket;
+  }
+
+  Result<void> refine_attributes() {
+    CodedParts& coded = best_->coded;
+    Bracket bracket =
+        refinement(static_cast<double>(coded.attributes.bytes()) / static_cast<double>(best_->bytes));
+    while (!bracket.is_done()) {
+      DELTAMESH_TRY(ChunkList attributes,
+                    code_attributes_of(task_, request_.effort,
+                                       scaled(task_.options.attributes, bracket.setting()), coded));
+      if (attributes.bytes() == coded.attributes.bytes()) break;  // exact, or an exact coder is smaller
+      std::swap(coded.attributes, attributes);
+      best_->bytes = bytes_of(task_, coded);
+      if (bracket.tell(excess(*best_))) continue;
+      std::swap(coded.attributes, attributes);
+      best_->bytes = bytes_of(task_, coded);
+    }
+    scale_of_attributes_ = bracket.best();
+    return {};
+  }
+
+  Result<void> refine_places() {
+    Bracket bracket = refinement(1);
+    while (!bracket.is_done()) {
+      DELTAMESH_TRY(Parts parts, code(bracket.setting(), scale_of_attributes_));
+      if (bracket.tell(excess(parts))) best_ = std::move(parts);
+    }
+    return {};
   }
 
   Result<Parts> code(double scale, double of_attributes) const {
@@ -157,14 +198,16 @@ class SharedBudget {
     Request request = request_;
     request.lossless = true;
     DELTAMESH_TRY(Parts exact, code_both(task_, request, kExactly));
-    if (exact.bytes <= budget_) best_ = std::move(exact);
+    if (static_cast<double>(exact.bytes) <= budget_) best_ = std::move(exact);
     return {};
   }
 
   const PartsTask& task_;
   Request request_;
-  std::uint64_t budget_;
-  double unit_;  ///< the largest error at a scale of 1
+  double budget_;     ///< bytes
+  double unit_;       ///< the largest error at a scale of 1
+  double scale_ = 1;  ///< of the errors of places
+  double scale_of_attributes_ = 1;
   std::optional<Parts> best_;
   std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();
 };
