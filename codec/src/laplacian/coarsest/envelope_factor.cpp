@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "laplacian/coarsest/narrow_order.h"
+
 namespace deltamesh::multigrid {
 namespace {
 
@@ -34,15 +36,18 @@ void EnvelopeFactor::factor(const Level& level) {
 
 void EnvelopeFactor::copy_k(const Level& level) {
   const bool is_finest = level.weights.empty();
+  order_narrowly(level, nodes_);
+  numbers_.resize(size_);
+  for (std::uint32_t r = 0; r < size_; ++r) numbers_[nodes_[r]] = r;
   first_entry_.assign(1, 0);
   entries_.clear();
   inverse_mass_.clear();
-  for (std::uint32_t i = 0; i < size_; ++i) {
-    const double degree = is_finest ? unit_degree(level, i) : level.degree[i];
-    inverse_mass_.push_back(1 / (is_finest ? degree * degree : level.mass[i]));
-    entries_.push_back({i, degree});
-    for (std::uint32_t e = level.offsets[i]; e < level.offsets[i + 1]; ++e)
-      entries_.push_back({level.neighbors[e], is_finest ? -1.0 : -level.weights[e]});
+  for (const std::uint32_t node : nodes_) {
+    const double degree = is_finest ? unit_degree(level, node) : level.degree[node];
+    inverse_mass_.push_back(1 / (is_finest ? degree * degree : level.mass[node]));
+    entries_.push_back({numbers_[node], degree});
+    for (std::uint32_t e = level.offsets[node]; e < level.offsets[node + 1]; ++e)
+      entries_.push_back({numbers_[level.neighbors[e]], is_finest ? -1.0 : -level.weights[e]});
     first_entry_.push_back(static_cast<std::uint32_t>(entries_.size()));
   }
 }
@@ -79,7 +84,10 @@ void EnvelopeFactor::assemble(std::span<const std::uint32_t> anchors) {
       }
     }
   }
-  for (const std::uint32_t anchor : anchors) row(anchor)[anchor - first_column_[anchor]] += 1;
+  for (const std::uint32_t anchor : anchors) {
+    const std::uint32_t i = numbers_[anchor];
+    row(i)[i - first_column_[i]] += 1;
+  }
 }
 
 void EnvelopeFactor::factor() {
@@ -101,19 +109,21 @@ void EnvelopeFactor::factor() {
   }
 }
 
-void EnvelopeFactor::solve(std::span<Double4> b) const noexcept {
+void EnvelopeFactor::solve(std::span<Double4> b) {
+  solution_.clear();
   for (std::size_t i = 0; i < size_; ++i) {
     const double* const own = row(i);
     const std::size_t first = first_column_[i];
-    Double4 sum = b[i];
-    for (std::size_t j = first; j < i; ++j) sum -= own[j - first] * b[j];
-    b[i] = sum;
+    Double4 sum = b[nodes_[i]];
+    for (std::size_t j = first; j < i; ++j) sum -= own[j - first] * solution_[j];
+    solution_.push_back(sum);
   }
-  for (std::size_t i = 0; i < size_; ++i) b[i] = inverse_diagonal_[i] * b[i];
+  for (std::size_t i = 0; i < size_; ++i) solution_[i] = inverse_diagonal_[i] * solution_[i];
   for (std::size_t i = size_; i-- > 0;) {
     const double* const own = row(i);
     const std::size_t first = first_column_[i];
-    for (std::size_t j = first; j < i; ++j) b[j] -= own[j - first] * b[i];
+    for (std::size_t j = first; j < i; ++j) solution_[j] -= own[j - first] * solution_[i];
+    b[nodes_[i]] = solution_[i];
   }
 }
 

@@ -14,15 +14,15 @@
 
 namespace deltamesh::multigrid {
 
-/// L D L^T of N = K M^-1 K + E E^T in doubles, each row from its first entry that is not 0 on. One object may
-/// serve one level after the other; it keeps its memory.
+/// L D L^T of N = K M^-1 K + E E^T in doubles, nodes in narrow_order.h's order, each row from its first entry
+/// that is not 0 on. One object may serve one level after the other; it keeps its memory.
 class EnvelopeFactor {
  public:
   /// O(n w^2) for n nodes and rows of w entries.
   void factor(const Level& level);
 
   /// Overwrites `b` (n) with the solution. A pivot that is not above 0, by rounding, gives 0. O(n w).
-  void solve(std::span<Double4> b) const noexcept;
+  void solve(std::span<Double4> b);
 
  private:
   struct Entry {
@@ -38,6 +38,8 @@ class EnvelopeFactor {
   const double* row(std::size_t i) const noexcept { return &lower_[begin_[i]]; }
 
   std::size_t size_ = 0;
+  std::vector<std::uint32_t> nodes_;        ///< n: of each row
+  std::vector<std::uint32_t> numbers_;      ///< n: the row of each node
   std::vector<std::uint32_t> first_entry_;  ///< n + 1: in `entries_`
   std::vector<Entry> entries_;              ///< of K, row by row
   std::vector<double> inverse_mass_;        ///< n
@@ -46,6 +48,7 @@ class EnvelopeFactor {
   std::vector<double> lower_;               ///< of N, then of L, up to the diagonal
   std::vector<double> inverse_diagonal_;    ///< n: 1 / D, or 0
   std::vector<double> scaled_;              ///< a row of L D
+  std::vector<Double4> solution_;           ///< row by row
 };
 
 }  // namespace deltamesh::multigrid

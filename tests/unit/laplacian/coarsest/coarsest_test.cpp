@@ -15,6 +15,7 @@
 #include "direct_solver/direct_solver.h"
 #include "laplacian/coarsest/conjugate_gradients.h"
 #include "laplacian/coarsest/envelope_factor.h"
+#include "laplacian/coarsest/narrow_order.h"
 #include "laplacian/coarsest/solve_directly.h"
 #include "laplacian/multigrid/setup/levels.h"
 #include "support/graph_mesh.h"
@@ -95,6 +96,37 @@ double residual(const Level& level, std::span<const Double4> x, std::span<const 
     all += wanted * wanted;
   }
   return std::sqrt(left / all);
+}
+
+/// Two chains, of the even nodes and of the odd ones, numbered to and fro, and a node alone.
+TEST(NarrowOrder, NeighborsAreNext) {
+  const std::vector<std::uint32_t> chains[] = {{4, 0, 8, 2, 6}, {1, 7, 3, 5}};
+  std::vector<std::vector<std::uint32_t>> around(10);
+  for (const auto& chain : chains) {
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      around[chain[i]].push_back(chain[i + 1]);
+      around[chain[i + 1]].push_back(chain[i]);
+    }
+  }
+  std::vector<std::uint32_t> offsets(1);
+  std::vector<std::uint32_t> neighbors;
+  for (const auto& row : around) {
+    neighbors.insert(neighbors.end(), row.begin(), row.end());
+    offsets.push_back(static_cast<std::uint32_t>(neighbors.size()));
+  }
+  Level level;
+  level.offsets = offsets;
+  level.neighbors = neighbors;
+  std::vector<std::uint32_t> nodes{3, 3, 3};  // no matter
+  multigrid::order_narrowly(level, nodes);
+  std::vector<std::uint32_t> sorted = nodes;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  const auto place = [&](std::uint32_t node) {
+    return std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+  };
+  for (std::uint32_t node = 0; node < around.size(); ++node)
+    for (const std::uint32_t neighbor : around[node]) EXPECT_EQ(std::abs(place(node) - place(neighbor)), 1);
 }
 
 TEST(EnvelopeFactor, SolvesExactly) {
