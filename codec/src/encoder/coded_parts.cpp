@@ -104,9 +104,9 @@ class SharedBudget {
   Result<CodedParts> run() {
     DELTAMESH_CHECK(scale_all());
     if (!best_) return too_few_bytes(fewest_);
+    if (is_exact_) return std::move(best_->coded);
     if (excess(*best_) < kFull) DELTAMESH_CHECK(refine_attributes());
     if (excess(*best_) < kWell) DELTAMESH_CHECK(refine_places());
-    if (scale_ <= kFinest) DELTAMESH_CHECK(try_exactly());
     return std::move(best_->coded);
   }
 
@@ -116,7 +116,8 @@ class SharedBudget {
   static constexpr double kAim = -0.005;   ///< an excess: 0.997 of the bytes
   static constexpr double kFull = -0.015;  ///< 0.99
   static constexpr double kWell = -0.045;  ///< 0.97
-  static constexpr double kSlope = -0.6;   ///< of all bytes over all errors, mostly; of attributes alone -1
+  static constexpr double kAmple = -0.6;   ///< 0.66: what is exact may fit
+  static constexpr double kSlope = -0.5;   ///< of all bytes over all errors, mostly; of attributes alone -1
 
   /// Binary logarithm of the bytes over those asked for.
   double excess(const Parts& parts) const noexcept {
@@ -130,11 +131,18 @@ class SharedBudget {
                      .slope = kSlope,
                      .aim = kAim,
                      .tolerance = kWell,
-                     .trials = 4});
+                     .trials = 6});
+    bool may_be_exact = request_.coder != GeometryCoder::kHighpass;
     while (!bracket.is_done()) {
-      DELTAMESH_TRY(Parts parts, code(bracket.setting(), bracket.setting()));
+      const double scale = bracket.setting();
+      DELTAMESH_TRY(Parts parts, code(scale, scale));
       fewest_ = std::min(fewest_, parts.bytes);
+      const bool is_ample = excess(parts) < kAmple || (excess(parts) <= 0 && scale <= kFinest);
       if (bracket.tell(excess(parts))) best_ = std::move(parts);
+      if (is_ample && std::exchange(may_be_exact, false)) {
+        DELTAMESH_CHECK(try_exactly());
+        if (is_exact_) return {};
+      }
     }
     scale_ = scale_of_attributes_ = bracket.best();
     return {};
@@ -146,7 +154,7 @@ class SharedBudget {
     Bracket bracket({.first = scale_,
                      .least = scale_ / 8,
                      .most = scale_,
-                     .slope = -std::max(share, 0.05),
+                     .slope = -std::max(share, 0.3),
                      .aim = kAim,
                      .tolerance = kFull,
                      .trials = 3});
@@ -194,11 +202,11 @@ class SharedBudget {
   }
 
   Result<void> try_exactly() {
-    if (request_.coder == GeometryCoder::kHighpass) return {};
     Request request = request_;
     request.lossless = true;
     DELTAMESH_TRY(Parts exact, code_both(task_, request, kExactly));
-    if (static_cast<double>(exact.bytes) <= budget_) best_ = std::move(exact);
+    is_exact_ = excess(exact) <= 0;
+    if (is_exact_) best_ = std::move(exact);
     return {};
   }
 
@@ -209,6 +217,7 @@ class SharedBudget {
   double scale_ = 1;  ///< of the errors of places
   double scale_of_attributes_ = 1;
   std::optional<Parts> best_;
+  bool is_exact_ = false;  ///< best_
   std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();
 };
 
