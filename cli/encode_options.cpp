@@ -51,8 +51,9 @@ void add_bounds(CLI::App& command, QualityRequest& request) {
 void add_position_quality(CLI::App& command, QualityRequest& request) {
   add_bounds(command, request);
   command
-      .add_option("--target-bytes", request.target_bytes,
-                  "most bytes of a stream; alone: the best quality that fits")
+      .add_option(
+          "--target-bytes", request.target_bytes,
+          "most bytes of a stream, or of all of an asset's together; alone: the best quality that fits")
       ->check(refuse_negative)
       ->group(kPositions);
 }
@@ -156,7 +157,8 @@ void add_coders(CLI::App& command, EncodeOptions& options) {
           "form of the stream: zstd is plain arrays, larger, which others read in a page")
       ->check(CLI::IsMember({"smallest", "zstd"}))
       ->default_str("smallest");
-  command.add_flag("--keep-order", options.keep_order, "restore the order of vertices and faces exactly");
+  command.add_flag("--keep-order", options.keep_order,
+                   "restore the order of vertices and faces exactly, in several times the bytes");
   command.add_flag("--keep-unreferenced", options.keep_unreferenced, "keep vertices that no face uses");
 }
 

@@ -29,7 +29,8 @@ inline constexpr const char* kExitCodesHelp =
     "  4  an output cannot be written\n"
     "  5  the asked quality cannot be had\n"
     "  6  out of memory, or larger than the format holds\n"
-    "  7  a fault of the program itself; please report it\n";
+    "  7  a fault of the program itself; please report it\n"
+    "  130, 143  stopped by Ctrl-C or TERM; no file is half-written\n";
 
 ExitCode exit_code_of(ErrorCode code) noexcept;
 

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "mesh_files.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <system_error>
@@ -16,21 +17,28 @@ namespace {
 
 bool is_stream(const std::string& path) { return path.size() >= 5 && path.ends_with(".dmsh"); }
 
+enum class Use : std::uint8_t { kRead, kWrite };
+
+std::string no_format_text(const std::string& path, const FileOptions& options, Use use) {
+  if (is_standard(path))
+    return options.are_options ? "--format must say what is piped: ply, obj, stl, off, gltf or glb"
+                               : "nothing is piped here: a file's suffix says its format";
+  if (is_stream(path))
+    return use == Use::kRead
+               ? "this is a stream, not a mesh file; `deltamesh decode` makes a mesh of it"
+               : std::string("this suffix is a stream's; a mesh file has one of ") + kMeshSuffixes;
+  const std::string suffix = std::filesystem::path(path).extension();
+  return (suffix.empty() ? "the name has no suffix" : "no mesh format has the suffix " + suffix) +
+         "; known are " + kMeshSuffixes + (options.are_options ? ", and --format can say which it is" : "");
+}
+
 /// Of a mesh file; prints what is wrong with its name or --format.
-std::optional<FileFormat> mesh_format(const std::string& path, const FileOptions& options, int& status) {
+std::optional<FileFormat> mesh_format(const std::string& path, const FileOptions& options, Use use,
+                                      int& status) {
   const Result<FileFormat> format = format_of_path(options.format.empty() ? path : '.' + options.format);
   if (format) return *format;
   status = kUsage;
-  const std::string suffix = std::filesystem::path(path).extension();
-  if (is_standard(path))
-    print_error(path, "--format must say what is piped: ply, obj, stl, off, gltf or glb");
-  else if (is_stream(path))
-    print_error(path, "this is a stream, not a mesh file; `deltamesh decode` makes a mesh of it");
-  else
-    print_error(path,
-                (suffix.empty() ? "the name has no suffix" : "no mesh format has the suffix " + suffix) +
-                    "; known are " + kMeshSuffixes +
-                    (options.are_options ? ", and --format can say which it is" : ""));
+  print_error(path, no_format_text(path, options, use));
   return std::nullopt;
 }
 
@@ -89,7 +97,7 @@ Result<void> write_output(const std::string& path, std::span<const std::byte> by
 }
 
 std::optional<Imported> load_mesh(const std::string& path, int& status, const FileOptions& options) {
-  const std::optional<FileFormat> format = mesh_format(path, options, status);
+  const std::optional<FileFormat> format = mesh_format(path, options, Use::kRead, status);
   if (!format) return std::nullopt;
   Result<Imported> imported =
       read_showing_progress(path, {.drop_invalid = options.drop_invalid, .format = format});
@@ -140,7 +148,7 @@ std::optional<Imported> load_mesh_or_stream(const std::string& path, int& status
 }
 
 bool check_mesh_suffix(const std::string& path, int& status, const FileOptions& options) {
-  return mesh_format(path, options, status).has_value();
+  return mesh_format(path, options, Use::kWrite, status).has_value();
 }
 
 bool names_same_file(const std::string& a, const std::string& b) {
@@ -152,10 +160,17 @@ bool names_same_file(const std::string& a, const std::string& b) {
          fs::weakly_canonical(fs::absolute(b, absent), absent);
 }
 
+bool check_keeps_input(const std::string& input, const std::string& output, int& status) {
+  if (!names_same_file(input, output)) return true;
+  print_error(output, "the output would replace the input");
+  status = kUsage;
+  return false;
+}
+
 int save_mesh(const std::string& path, const MeshView& mesh, const FileOptions& options,
               WriteReport* report) {
   int status = kOk;
-  const std::optional<FileFormat> format = mesh_format(path, options, status);
+  const std::optional<FileFormat> format = mesh_format(path, options, Use::kWrite, status);
   if (!format) return status;
   WriteReport own;
   WriteReport& losses = report != nullptr ? *report : own;

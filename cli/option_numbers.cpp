@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "option_numbers.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -31,10 +32,10 @@ std::optional<double> parse_number(const std::string& text) {
 }
 
 std::optional<QualityBound> parse_bound(const std::string& text) {
-  std::string rest;
-  const std::optional<double> value = leading_number(text, rest);
-  if (!value || (!rest.empty() && rest != "%")) return std::nullopt;
-  return QualityBound{.value = *value, .unit = rest.empty() ? QualityUnit::kModel : QualityUnit::kDiagonal};
+  const bool is_percent = text.ends_with('%');
+  const std::optional<double> value = parse_number(is_percent ? text.substr(0, text.size() - 1) : text);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return QualityBound{.value = *value, .unit = is_percent ? QualityUnit::kDiagonal : QualityUnit::kModel};
 }
 
 std::optional<NamedBound> parse_named_bound(const std::string& text) {

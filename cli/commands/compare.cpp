@@ -74,6 +74,8 @@ void print_summary(const CompareArguments& arguments, const Losses& losses, cons
     summary.add("vertices", "do not correspond; distances of vertices to the other surface, both ways");
     summary.add("faces", grouped(result.matched_faces) + " in both, " + grouped(result.unmatched_faces_a) +
                              " only in A, " + grouped(result.unmatched_faces_b) + " only in B");
+    if (arguments.b.ends_with(".dmsh") && arguments.order.empty())
+      summary.add("", "--order tells which vertices of a stream are whose: see the help");
     summary.add("rms", of_diagonal(result.surface_rms, result.diagonal));
     summary.add("max", of_diagonal(result.surface_max, result.diagonal));
   }
@@ -143,7 +145,13 @@ Result<Comparison> compare_showing_progress(const Imported& a, const Imported& b
 /// Heat maps are mesh files, and other ones than the meshes.
 bool check_heatmaps(const CompareArguments& arguments, int& status) {
   for (const std::string& map : {arguments.heatmap, arguments.color_heatmap}) {
-    if (!map.empty() && !check_mesh_suffix(map, status)) return false;
+    if (map.empty()) continue;
+    if (!check_mesh_suffix(map, status)) return false;
+    if (*format_of_path(map) == FileFormat::kStl) {
+      print_error(map, "STL has no colours, which a heat map is made of");
+      status = kUsage;
+      return false;
+    }
     for (const std::string& mesh : {arguments.a, arguments.b}) {
       if (!names_same_file(map, mesh)) continue;
       print_error(map, "the heat map would replace a mesh that it compares");

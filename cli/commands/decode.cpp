@@ -24,7 +24,9 @@ struct DecodeArguments {
 
 int run_decode(const DecodeArguments& arguments) {
   int status = kOk;
-  if (!check_mesh_suffix(arguments.out, status, arguments.files)) return status;
+  if (!check_mesh_suffix(arguments.out, status, arguments.files) ||
+      !check_keeps_input(arguments.in, arguments.out, status))
+    return status;
   const std::optional<Mesh> mesh = load_stream(arguments.in, status, arguments.threads);
   if (!mesh) return status;
   WriteReport report;

@@ -95,7 +95,13 @@ Result<Encoded> encode_showing_progress(const Mesh& mesh, EncodeOptions options)
 
 /// A stream or an order under a mesh's suffix is a slip: written, it would most often replace the mesh.
 bool check_outputs(const EncodeArguments& arguments, int& status) {
+  if (is_standard(arguments.order_out)) {
+    print_error("--order-out", "needs the name of a file");
+    status = kUsage;
+    return false;
+  }
   for (const std::string& path : {arguments.out, arguments.order_out}) {
+    if (!check_keeps_input(arguments.in, path, status)) return false;
     if (!format_of_path(path)) continue;
     print_error(path, "this suffix is a mesh file's; `encode` writes a stream, .dmsh");
     status = kUsage;

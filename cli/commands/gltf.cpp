@@ -9,7 +9,9 @@
 #include <string>
 
 #include "commands/commands.h"
+#include "deltamesh/io.h"
 #include "encode_options.h"
+#include "mesh_files.h"
 #include "report/attributes.h"
 #include "report/console.h"
 #include "report/progress.h"
@@ -64,7 +66,7 @@ void print_summary(const GltfArguments& arguments, const char* converted, const 
   summary.add("primitives", grouped(report.converted) + " of " + grouped(report.primitives) + ' ' +
                                 converted + ", " + counted(report.streams, "stream", "streams"));
   const std::uint64_t left = report.primitives - report.converted;
-  if (left > 0)
+  if (left > 0 && converted == std::string("compressed"))
     summary.add("left as is", grouped(report.not_triangles) + " without a triangle list, " +
                                   grouped(report.not_float_positions) + " with quantised positions, " +
                                   grouped(report.otherwise_compressed) + " otherwise compressed, " +
@@ -152,6 +154,18 @@ int report_result(const GltfArguments& arguments, const char* converted, const R
   return fail(error.code == ErrorCode::kFileWrite ? arguments.out : arguments.in, error);
 }
 
+/// Both are assets, and two of them.
+bool check_paths(const GltfArguments& arguments, int& status) {
+  for (const std::string& path : {arguments.in, arguments.out}) {
+    const Result<FileFormat> format = format_of_path(path);
+    if (format && (*format == FileFormat::kGlb || *format == FileFormat::kGltf)) continue;
+    print_error(path, "the name of an asset ends in .glb or .gltf");
+    status = kUsage;
+    return false;
+  }
+  return check_keeps_input(arguments.in, arguments.out, status);
+}
+
 /// A bound on a name that no primitive has is most likely a slip.
 void note_unused_bounds(const GltfArguments& arguments, const GltfReport& report) {
   for (const NamedBound& bound : arguments.pack.encode.attributes.named) {
@@ -165,6 +179,8 @@ void note_unused_bounds(const GltfArguments& arguments, const GltfReport& report
 }
 
 int run_pack(const GltfArguments& arguments) {
+  int status = kOk;
+  if (!check_paths(arguments, status)) return status;
   if (const Result<void> valid = validate(arguments.pack.encode); !valid)
     return fail("gltf pack", valid.error());
   const Result<GltfReport> report = pack_showing_progress(arguments);
@@ -172,6 +188,12 @@ int run_pack(const GltfArguments& arguments) {
   if (report && report->converted == 0 && report->not_smaller > 0)
     print_error("gltf pack", "note: packing does not pay for this asset, which stays as it is");
   return report_result(arguments, "compressed", report);
+}
+
+int run_unpack(const GltfArguments& arguments) {
+  int status = kOk;
+  if (!check_paths(arguments, status)) return status;
+  return report_result(arguments, "decompressed", unpack_showing_progress(arguments));
 }
 
 void add_paths(CLI::App& command, GltfArguments& arguments) {
@@ -211,9 +233,7 @@ void add_gltf_command(CLI::App& app, int& status) {
   CLI::App* unpack = gltf->add_subcommand("unpack", "Turn a packed asset into a plain one");
   add_paths(*unpack, *unpacking);
   unpack->footer("Example:\n  deltamesh gltf unpack duck_packed.glb duck.glb\n");
-  unpack->callback([unpacking, &status] {
-    status = report_result(*unpacking, "decompressed", unpack_showing_progress(*unpacking));
-  });
+  unpack->callback([unpacking, &status] { status = run_unpack(*unpacking); });
 }
 
 }  // namespace deltamesh::cli

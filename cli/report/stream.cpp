@@ -60,8 +60,8 @@ void add_sizes(Summary& summary, const StreamInfo& info) {
   summary.add("  connectivity", size_text(info.connectivity_bytes, info));
   summary.add("  geometry", size_text(info.geometry_bytes, info));
   if (info.geometry == "highpass") summary.add("  anchors", size_text(info.anchor_bytes, info));
-  if (info.attribute_bytes > 0) summary.add("  attributes", size_text(info.attribute_bytes, info));
   summary.add("  container", size_text(info.container_bytes, info));
+  if (info.attribute_bytes > 0) summary.add("  attributes", size_text(info.attribute_bytes, info));
 }
 
 void add_settings(Summary& summary, const StreamInfo& info) {

@@ -35,7 +35,7 @@ struct QualityRequest {
   /// bounding-box diagonal.
   std::optional<QualityBound> vde = std::nullopt;
   std::optional<QualityBound> lfe = std::nullopt;  ///< low-frequency error, eq. 1
-  /// No vertex is farther off; not in the paper's unit. Or kNoBound.
+  /// No vertex is farther off; not in the paper's unit. Or kNoBound, where something else is asked for.
   std::optional<QualityBound> max_error = std::nullopt;
   /// The whole stream has no more bytes. Alone: the lowest VDE that fits.
   std::optional<std::uint64_t> target_bytes = std::nullopt;

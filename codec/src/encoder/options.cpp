@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <cmath>
+#include <limits>
 
 #include "base/try.h"
 #include "deltamesh/encode.h"
@@ -44,19 +45,23 @@ Result<void> check_steps(const EncodeOptions& o) noexcept {
   return {};
 }
 
-bool is_bound(double value) noexcept { return std::isfinite(value) && value >= 0; }
+bool is_bound(double value, double most = std::numeric_limits<double>::max()) noexcept {
+  return value >= 0 && value <= most;
+}
 
 Result<void> check_attributes(const AttributeQuality& q) noexcept {
-  if (!is_bound(q.normal_error))
-    return invalid_option("the error of normals must be a finite number of at least 0");
-  if (q.tangent_error && !is_bound(*q.tangent_error))
-    return invalid_option("the error of tangents must be a finite number of at least 0");
+  constexpr double kMostAngle = 180;
+  constexpr double kMostColor = 255;
+  if (!is_bound(q.normal_error, kMostAngle))
+    return invalid_option("the error of normals must be 0 to 180 degrees");
+  if (q.tangent_error && !is_bound(*q.tangent_error, kMostAngle))
+    return invalid_option("the error of tangents must be 0 to 180 degrees");
   if (!is_bound(q.uv_error))
     return invalid_option("the error of texture coordinates must be a finite number of at least 0");
-  if (q.color_error && !is_bound(*q.color_error))
-    return invalid_option("the error of colours must be a finite number of at least 0");
-  if (q.color_rms && !(is_bound(*q.color_rms) && *q.color_rms > 0))
-    return invalid_option("the mean error of colours must be a finite number above 0");
+  if (q.color_error && !is_bound(*q.color_error, kMostColor))
+    return invalid_option("the error of colours must be 0 to 255");
+  if (q.color_rms && !(is_bound(*q.color_rms, kMostColor) && *q.color_rms > 0))
+    return invalid_option("the mean error of colours must be above 0, and at most 255");
   if (q.color_rms && q.color_error)
     return invalid_option("a mean error and a largest error of colours exclude each other");
   if (!is_bound(q.weight_error))

@@ -61,8 +61,10 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) noexcept {
   return true;
 }
 
-/// As a newly created file would have it.
-bool set_default_mode(int descriptor) noexcept {
+/// As the file that is replaced has it, or a newly created one.
+bool set_mode(int descriptor, const std::string& target) noexcept {
+  struct stat status {};
+  if (stat(target.c_str(), &status) == 0) return fchmod(descriptor, status.st_mode & 07777U) == 0;
   const mode_t mask = umask(0);
   umask(mask);
   return fchmod(descriptor, static_cast<mode_t>(0666) & ~mask) == 0;
@@ -81,7 +83,7 @@ Result<void> replace_file(const std::string& target, std::span<const std::byte> 
   const StopsHeldBack guard;
   const int descriptor = mkstemp(temporary.data());
   if (descriptor < 0) return kCannotCreate;
-  const bool written = write_all(descriptor, bytes) && set_default_mode(descriptor) && fsync(descriptor) == 0;
+  const bool written = write_all(descriptor, bytes) && set_mode(descriptor, target) && fsync(descriptor) == 0;
   if (close(descriptor) == 0 && written && std::rename(temporary.c_str(), target.c_str()) == 0) return {};
   unlink(temporary.c_str());
   return kCannotWrite;

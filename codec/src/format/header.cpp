@@ -84,7 +84,8 @@ Result<void> read_signature(ByteReader& in) {
     return in.error(ErrorCode::kUnsupportedVersion, "a format version that this library does not read",
                     "HDR-2");
   if (version != kFormatVersion)
-    return in.error(ErrorCode::kUnsupportedVersion, "another draft of the unreleased format", "HDR-3");
+    return in.error(ErrorCode::kUnsupportedVersion,
+                    "another draft of the unreleased format than this library reads", "HDR-3");
   return {};
 }
 

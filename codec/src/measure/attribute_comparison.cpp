@@ -154,8 +154,13 @@ double large_difference(AttributeKind kind) noexcept {
   return 1;
 }
 
+/// glTF puts an underscore before names of its own choice.
+std::string_view plain_name(std::string_view name) noexcept {
+  return name.substr(name.starts_with('_') ? 1 : 0);
+}
+
 bool stand_for_each_other(const AttributeView& a, const AttributeView& b, bool by_name) noexcept {
-  if (by_name) return a.name == b.name && !a.name.empty();
+  if (by_name) return plain_name(a.name) == plain_name(b.name) && !a.name.empty();
   return a.kind == b.kind && a.kind != AttributeKind::kGeneric;
 }
 

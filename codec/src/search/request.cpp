@@ -104,16 +104,16 @@ Result<void> validate(const QualityRequest& request) noexcept {
     return invalid("the maximum error must be a finite number above 0");
   if (request.max_error && request.max_error->unit == QualityUnit::kPaper)
     return invalid("the paper has no form of the maximum error");
+  if (no_bound && !request.vde && !request.lfe && !request.target_bytes)
+    return invalid("without a limit on the maximum error, a VDE, an LFE or target bytes must be asked for");
   if (request.target_bytes && *request.target_bytes == 0)
     return invalid("the target size must be above 0 bytes");
   return {};
 }
 
 bool says_nothing_of_positions(const EncodeOptions& options) noexcept {
-  QualityRequest quality = options.quality;
-  if (quality.max_error && quality.max_error->value == kNoBound.value) quality.max_error.reset();
-  return quality.empty() && !options.bits && !options.step && !options.anchors && !options.anchor_density &&
-         !options.lossless;
+  return options.quality.empty() && !options.bits && !options.step && !options.anchors &&
+         !options.anchor_density && !options.lossless;
 }
 
 double default_error(std::span<const std::uint32_t> triangles, std::span<const Vec3> positions,

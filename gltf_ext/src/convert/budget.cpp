@@ -57,11 +57,14 @@ Result<std::vector<PackedPrimitive>> pack_streams(StreamPacker& packer, const st
           std::max<std::uint64_t>(1, static_cast<std::uint64_t>(left * (weights[i] / weight)));
       weight -= weights[i];
     }
-    DELTAMESH_TRY(auto primitives, packer.pack(plans[i], options, report));
-    if (most_bytes && report.stream_bytes > *most_bytes)
-      return Error{.code = ErrorCode::kUnmetRequest, .message = "the asset's streams do not get so small"};
-    packed.insert(packed.end(), std::make_move_iterator(primitives.begin()),
-                  std::make_move_iterator(primitives.end()));
+    auto primitives = packer.pack(plans[i], options, report);
+    const bool is_too_large = !primitives && primitives.error().code == ErrorCode::kUnmetRequest;
+    if (most_bytes && ((is_too_large && plans.size() > 1) || report.stream_bytes > *most_bytes))
+      return Error{.code = ErrorCode::kUnmetRequest,
+                   .message = "the bytes asked for are too few for the asset's streams together"};
+    if (!primitives) return primitives.error();
+    packed.insert(packed.end(), std::make_move_iterator(primitives->begin()),
+                  std::make_move_iterator(primitives->end()));
   }
   return packed;
 }

@@ -9,6 +9,7 @@
 
 #include "base/guard.h"
 #include "base/try.h"
+#include "base/with_found.h"
 #include "deltamesh/gltf.h"
 #include "deltamesh/io.h"
 #include "io/gltf/uri.h"
@@ -56,9 +57,10 @@ Result<std::vector<NamedFile>> files_to_copy(const std::vector<std::string>& uri
   for (const std::string& uri : uris) {
     const auto path = gltf::relative_path_of(uri);
     if (!path)
-      return Error{
-          .code = ErrorCode::kInvalidFile,
-          .message = "the asset names a file outside its folder, which cannot go with it to another one"};
+      return with_found(
+          {.code = ErrorCode::kInvalidFile,
+           .message = "the asset names a file outside its folder, which cannot go with it to another one"},
+          uri);
     const auto source = read_file((in.parent_path() / *path).string());
     if (!source && source.error().code == ErrorCode::kFileOpen) {
       ++report.missing_files;  // the link was broken before
@@ -69,9 +71,9 @@ Result<std::vector<NamedFile>> files_to_copy(const std::vector<std::string>& uri
     const auto there = read_file(target.string());
     const bool is_taken = std::find(taken.begin(), taken.end(), target) != taken.end();
     if (is_taken || (there && *there != *source))
-      return Error{
-          .code = ErrorCode::kFileWrite,
-          .message = "a file that the asset names, such as an image, would replace another one there"};
+      return with_found({.code = ErrorCode::kFileWrite,
+                         .message = "a file that the asset names would replace another one there"},
+                        uri);
     if (!there) files.push_back({target, *source});
   }
   return files;

@@ -20,8 +20,16 @@ ls text.*
 quiet gltf unpack text.gltf text_unpacked.glb
 cmp text_unpacked.glb unpacked.glb
 cp plain.glb same.glb
-quiet gltf pack same.glb same.glb
-cmp same.glb packed.glb && say "in and out may be one file"
+run gltf pack same.glb ./same.glb
+run gltf unpack packed.glb packed.glb
+cmp same.glb plain.glb && say "the asset is not replaced"
+run gltf pack same.glb -
+run gltf pack plain.glb small.glb --target-bytes 100
+quiet gltf pack plain.glb parts.gltf --lossless
+rm parts.bin
+run gltf pack parts.gltf whole.glb
+run encode parts.gltf whole.dmsh
+rm parts.gltf
 status gltf pack plain.glb packed.ply
 status gltf pack plain.glb /dev/full
 status gltf

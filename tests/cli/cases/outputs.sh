@@ -32,9 +32,22 @@ run encode same.obj same.dmsh --order-out ./same.dmsh
 ln -s cube.dmsh also_cube.dmsh
 run encode same.obj cube.dmsh --order-out also_cube.dmsh
 run compare cube.obj same.obj --heatmap ./same.obj
+run compare cube.obj same.obj --heatmap heat.stl
+cp cube.obj cube.text
+run encode cube.text ./cube.text --format obj
+run encode cube.obj same.dmsh --order-out -
+run encode cube.text same.dmsh --order-out cube.text --format obj
+run decode cube.dmsh cube.dmsh --format obj
+run decode cube.dmsh other.dmsh
+quiet encode cube.obj cube.dmsh
+run generate sphere -
 cmp cube.obj same.obj
+cmp cube.obj cube.text
 rm also_cube.dmsh
 ln -s cube.dmsh link.dmsh
 status encode cube.obj link.dmsh
 [ -L link.dmsh ] && say "the link is still one"
+chmod 640 cube.dmsh
+quiet encode cube.obj cube.dmsh
+say "mode $(stat -c %a cube.dmsh)"
 list

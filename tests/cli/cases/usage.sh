@@ -24,6 +24,11 @@ run encode cube.obj cube.dmsh --normal-error -1
 run encode cube.obj cube.dmsh --uv-error 1/0
 run encode cube.obj cube.dmsh --uv-error 1/many
 run encode cube.obj cube.dmsh --color-error 3%
+run encode cube.obj cube.dmsh --color-error 256
+run encode cube.obj cube.dmsh --normal-error 181
+run encode cube.obj cube.dmsh --max-error inf
+run encode cube.obj cube.dmsh --max-error none
+quiet encode cube.obj cube.dmsh --max-error 1/3%
 run encode cube.obj cube.dmsh --weight-error inf
 run encode cube.obj cube.dmsh --tangent-error
 run encode cube.obj cube.dmsh --attribute-error intensity

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/try.h"
+#include "base/with_found.h"
 #include "io/gltf/structure.h"
 #include "io/gltf/uri.h"
 #include "io/text/scanner.h"
@@ -30,8 +31,14 @@ Result<std::vector<std::byte>> resolve_uri(const std::string& uri, const Resolve
                  .message = "the asset has an external buffer, which cannot be reached from here",
                  .where_kind = WhereKind::kElement,
                  .where = number};
-  DELTAMESH_TRY(auto bytes, resolve(*path));
-  input_bytes += bytes.size();
+  auto bytes = resolve(*path);
+  if (!bytes && bytes.error().code == ErrorCode::kFileOpen) {
+    Error error = bytes.error();
+    error.message = "a file that the asset names cannot be opened";
+    return with_found(error, *path);
+  }
+  if (!bytes) return bytes.error();
+  input_bytes += bytes->size();
   return bytes;
 }
 

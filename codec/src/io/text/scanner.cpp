@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/with_found.h"
 #include "io/text/numbers.h"
 
 namespace deltamesh {
@@ -92,9 +93,7 @@ Result<void> TextScanner::end_line(const char* message) noexcept {
 }
 
 Error TextScanner::error(const char* message, std::string_view found) const noexcept {
-  Error error = invalid_line(message, line_);
-  for (std::size_t i = 0; i < std::min(found.size(), error.found.size() - 1); ++i) error.found[i] = found[i];
-  return error;
+  return with_found(invalid_line(message, line_), found);
 }
 
 }  // namespace deltamesh
