@@ -25,15 +25,15 @@ bool attributes_use_positions(const MeshView& mesh, const EncodeOptions& options
 }
 
 Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& topology,
-                                  const EncodeOptions& options, std::span<const float> positions,
-                                  std::span<const KnownVertex> known) {
+                                  const EncodeOptions& options, const Candidate& geometry) {
+  const std::span<const float> positions = geometry.positions;
   const std::span<const std::uint32_t> copies =
       topology.has_seams ? topology.seams.split.geometric : std::span<const std::uint32_t>();
   const bool is_split = !copies.empty() && !positions.empty();
   const std::vector<float> split = is_split ? copy_rows(positions, copies) : std::vector<float>();
   AttributeSurface surface(topology.triangles(), topology.vertex_count(), copies,
                            is_split ? split : positions);
-  surface.set_known(known);
+  if (geometry.grid) surface.set_known(geometry.grid->known);
   const ModelStates* const states = options.starting_states;
   AttributeSettings settings{
       .quality = options.attributes, .plain = options.profile == Profile::kZstd, .effort = options.effort};

@@ -4,24 +4,20 @@
 // All attributes of a mesh, coded on the surface that decoders will have.
 #pragma once
 
-#include <span>
-
 #include "deltamesh/encode.h"
 #include "deltamesh/result.h"
 #include "encoder/coded_topology.h"
 #include "entropy/chunk_list.h"
-#include "grid/known/vertex.h"
+#include "search/candidate.h"
 
 namespace deltamesh {
 
 /// Whether any attribute may cost less where decoders know the positions to the bit [ATTR-10].
 bool attributes_use_positions(const MeshView& mesh, const EncodeOptions& options) noexcept;
 
-/// One chunk for each attribute, in the mesh's order, within options.attributes. `positions`: n x 3 floats as
-/// decoded, of geometric vertices, or empty where decoders may differ in their last bits. `known`: of these
-/// vertices, or empty. Errors: kInvalidMesh.
+/// One chunk for each attribute, in the mesh's order, within options.attributes, on `geometry`, whose order
+/// `topology` has. Errors: kInvalidMesh.
 Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& topology,
-                                  const EncodeOptions& options, std::span<const float> positions,
-                                  std::span<const KnownVertex> known);
+                                  const EncodeOptions& options, const Candidate& geometry);
 
 }  // namespace deltamesh

@@ -52,24 +52,20 @@ struct Parts {
   std::uint64_t bytes = 0;  ///< of the whole stream
 };
 
+const CodedTopology& order_of(const PartsTask& task, const CodedParts& parts) noexcept {
+  return parts.in_grid ? parts.in_grid->topology : task.topology;
+}
+
 std::uint64_t bytes_of(const PartsTask& task, const CodedParts& parts) {
   const TopologyChunks& chunks = parts.in_grid ? parts.in_grid->chunks : task.topology_chunks;
   const std::uint64_t others = task.other_bytes + chunks.other_bytes() + parts.attributes.bytes();
   return StreamRest{task.header, others, task.topology_chunks.faces.bytes()}.bytes_with(parts.geometry);
 }
 
-/// Attributes within `bounds` on the geometry of `parts`.
-Result<ChunkList> code_attributes_of(const PartsTask& task, int effort, const AttributeQuality& bounds,
-                                     const CodedParts& parts) {
-  EncodeOptions options = task.options;
-  options.attributes = bounds;
-  options.effort = effort;
-  std::span<const KnownVertex> known;
-  if (parts.geometry.grid) known = parts.geometry.grid->known;
-  auto attributes = code_attributes(task.mesh, parts.in_grid ? parts.in_grid->topology : task.topology,
-                                    options, parts.geometry.positions, known);
-  task.progress.tick();
-  return attributes;
+EncodeOptions with_bounds(const EncodeOptions& options, const AttributeQuality& bounds) {
+  EncodeOptions result = options;
+  result.attributes = bounds;
+  return result;
 }
 
 /// Attributes within their bounds, on the geometry that keeps `request`.
@@ -84,7 +80,9 @@ Result<Parts> code_both(const PartsTask& task, const Request& request, const Att
     TopologyChunks ordered_chunks = code_topology_chunks(task.mesh, task.options, ordered);
     parts.in_grid = GridTopology{std::move(ordered), std::move(ordered_chunks)};
   }
-  DELTAMESH_TRY(parts.attributes, code_attributes_of(task, request.effort, bounds, parts));
+  DELTAMESH_TRY(parts.attributes, code_attributes(task.mesh, order_of(task, parts),
+                                                  with_bounds(task.options, bounds), parts.geometry));
+  task.progress.tick();
   const std::uint64_t bytes = bytes_of(task, parts);
   return Parts{std::move(parts), bytes};
 }
@@ -167,9 +165,12 @@ class SharedBudget {
     Bracket bracket =
         refinement(static_cast<double>(coded.attributes.bytes()) / static_cast<double>(best_->bytes));
     while (!bracket.is_done()) {
-      DELTAMESH_TRY(ChunkList attributes,
-                    code_attributes_of(task_, request_.effort,
-                                       scaled(task_.options.attributes, bracket.setting()), coded));
+      DELTAMESH_TRY(
+          ChunkList attributes,
+          code_attributes(task_.mesh, order_of(task_, coded),
+                          with_bounds(task_.options, scaled(task_.options.attributes, bracket.setting())),
+                          coded.geometry));
+      task_.progress.tick();
       if (attributes.bytes() == coded.attributes.bytes()) break;  // exact, or an exact coder is smaller
       std::swap(coded.attributes, attributes);
       best_->bytes = bytes_of(task_, coded);
