@@ -57,8 +57,9 @@ void add_extent(Summary& summary, const StreamInfo& info) {
 
 void add_sizes(Summary& summary, const StreamInfo& info) {
   summary.add("size", size_text(info.bytes, info));
-  summary.add("  connectivity", size_text(info.connectivity_bytes, info));
-  summary.add("  geometry", size_text(info.geometry_bytes, info));
+  const bool in_grid = info.geometry == "grid";
+  if (!in_grid) summary.add("  connectivity", size_text(info.connectivity_bytes, info));
+  summary.add("  geometry", size_text(info.geometry_bytes, info) + (in_grid ? ", connectivity too" : ""));
   if (info.geometry == "highpass") summary.add("  anchors", size_text(info.anchor_bytes, info));
   summary.add("  container", size_text(info.container_bytes, info));
   if (info.attribute_bytes > 0) summary.add("  attributes", size_text(info.attribute_bytes, info));
