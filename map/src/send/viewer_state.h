@@ -58,7 +58,8 @@ inline constexpr PartKey kPoseKey{kMostPartLevel + 1, 0, 0, 0};
 
 struct Viewer {
   View view{};
-  std::uint64_t number = 0;
+  std::uint64_t number = 0;  ///< of its last view
+  std::uint64_t said = 0;    ///< the highest number of its views and receipts
   std::uint64_t map = 0;    ///< hash of the description that it has
   std::uint64_t start = 0;  ///< of the messages that it takes
   std::uint64_t begin = 0;  ///< start of its messages: above that of an earlier record of it
