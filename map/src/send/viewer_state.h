@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -60,9 +61,9 @@ struct Viewer {
   View view{};
   std::uint64_t number = 0;  ///< of its last view
   std::uint64_t said = 0;    ///< the highest number of its views and receipts
-  std::uint64_t map = 0;    ///< hash of the description that it has
-  std::uint64_t start = 0;  ///< of the messages that it takes
-  std::uint64_t begin = 0;  ///< start of its messages: above that of an earlier record of it
+  std::uint64_t map = 0;     ///< hash of the description that it has
+  std::uint64_t start = 0;   ///< of the messages that it takes
+  std::uint64_t begin = 0;   ///< start of its messages: above that of an earlier record of it
   Delivery delivery{};
   std::map<PartKey, Believed> has{};
   std::map<PartKey, SentPart>
@@ -148,10 +149,10 @@ class SeenCells;
 /// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
 /// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
 /// parts that the receiver does not show, and about which no message was sent since then, are sent again.
-/// Errors: as Encodings::get().
+/// `is_over`: whether nothing more is to be encoded. Errors: as Encodings::get().
 Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double waiting_since,
                           const SourceMap& map, Encodings& encodings, KnownVersions& known,
-                          bool keeps_good_enough);
+                          bool keeps_good_enough, const std::function<bool()>& is_over);
 
 /// The newest version for a view, which `known` gains; null: there is none. Errors: as Encodings::get().
 Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, const View& view,
