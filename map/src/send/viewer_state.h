@@ -38,7 +38,8 @@ struct PartBox {
 
 /// The last message to a receiver about a part.
 struct SentPart {
-  std::uint64_t revision = 0;                              ///< of the last message
+  std::uint64_t revision = 0;  ///< of the last message
+  std::uint64_t first = 0;     ///< of the first one; 0: the receiver may have something older
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
   bool was_lost = false;            ///< that message
@@ -111,10 +112,13 @@ struct Viewer {
 
   /// For a message about a version of `least` or later: above all that came before it.
   std::uint64_t next_revision(const PartKey& key, std::uint64_t least, double now) {
-    SentPart& part = sent[key];
+    const auto [place, is_first] = sent.try_emplace(key);
+    SentPart& part = place->second;
     part.time = now;
     part.is_removal = false;
-    return part.revision = std::max({part.revision + 1, least, begin});
+    part.revision = std::max({part.revision + 1, least, begin});
+    if (is_first) part.first = part.revision;
+    return part.revision;
   }
 };
 
