@@ -155,13 +155,13 @@ bool print_first_sights(const Settings& settings) {
 /// depends on what else runs.
 bool print_mission(const Settings& settings) {
   constexpr double kMemoryBar = 1.05;
-  print(table_head({"tenth of the updates", "MB", "ms an update", "kB an update"}));
+  print(table_head({"tenth of the updates", "MB", "ms an update", "kB an update", "encoded an update"}));
   std::size_t told = 0;
   const MissionResult result =
       run_mission(value_or_exit(drive_updates(settings.vertices, settings.steps)),
                   {.updates = settings.mission}, [&](const MissionTenth& tenth) {
                     print(table_row({number(++told), fixed(tenth.megabytes, 2), fixed(tenth.milliseconds, 2),
-                                     fixed(tenth.kilobytes, 2)}));
+                                     fixed(tenth.kilobytes, 2), fixed(tenth.encoded, 2)}));
                   });
   const auto spread = [&](double MissionTenth::*figure) {
     const auto half = std::span(result.tenths).last(result.tenths.size() / 2);
@@ -170,7 +170,8 @@ bool print_mission(const Settings& settings) {
   };
   const double memory = spread(&MissionTenth::megabytes);
   print(join({"last half, largest over smallest: memory ", fixed(memory, 3), ", time ",
-              fixed(spread(&MissionTenth::milliseconds), 3),
+              fixed(spread(&MissionTenth::milliseconds), 3), ", encoded ",
+              fixed(spread(&MissionTenth::encoded), 3),
               result.has_all ? "; all receivers have all\n" : "; NOT all receivers have all\n"}));
   return result.has_all && memory <= kMemoryBar;
 }

@@ -47,12 +47,14 @@ class Mission {
     std::size_t step = 0;
     for (MissionTenth& tenth : result.tenths) {
       const std::clock_t begin = std::clock();
+      const std::uint64_t encoded = sender_.counts().encoded;
       for (std::uint32_t i = 0; i < count; ++i) {
         take_step(updates_.steps[step++ % updates_.steps.size()], sender_);
         for (std::uint32_t k = 0; k < kExchanges; ++k) exchange(settings_.loss);
         tenth.megabytes += (heap_megabytes() - before) / count;
       }
       tenth.milliseconds = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / count;
+      tenth.encoded = static_cast<double>(sender_.counts().encoded - encoded) / count;
       tenth.kilobytes = static_cast<double>(std::exchange(bytes_, 0)) / 1e3 / count;
       tell(tenth);
     }

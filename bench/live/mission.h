@@ -24,6 +24,7 @@ struct MissionTenth {
   double megabytes = 0;     ///< on the heap, of the sender and all receivers
   double milliseconds = 0;  ///< processor time of all of them, an update
   double kilobytes = 0;     ///< to all receivers, an update
+  double encoded = 0;  ///< parts and patches, an update: work that no other program on the machine changes
 };
 
 struct MissionResult {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
+#include <cmath>
 #include <ctime>
+#include <limits>
 
 #include "deltamesh/map/folder.h"
 #include "deltamesh/map/map_codec.h"
@@ -171,6 +173,43 @@ TEST(MapLimits, MAP15AHostileViewerCostsNoMoreThanItsLastMessage) {
     for (const auto& message : *messages) ASSERT_TRUE(receiver.apply(message));
   }
   EXPECT_EQ(receiver.shown(), sender->keys());
+}
+
+/// Each time other bounds, and versions of all parts that nobody knows.
+TEST(MapLimits, MAP15WhoAlwaysAsksForSomethingElseCostsEachPartOnceACallOrOnePartWhereItsTimeIsOver) {
+  for (const double call_seconds : {std::numeric_limits<double>::infinity(), 1e-9}) {
+    const test::World world(4, 1);
+    auto sender = MapSender::make(test::World::description(),
+                                  {.split = {.most_triangles = 1}, .call_seconds = call_seconds});
+    ASSERT_TRUE(sender);
+    ASSERT_TRUE(world.tell(*sender, world.present()));
+    const std::vector<PartKey> keys = sender->keys();
+    const std::size_t most = std::isinf(call_seconds) ? keys.size() : 1;
+    ViewMessage view{.viewer = 666,
+                     .map_id = test::World::description().id,
+                     .map = hash_of(sender->description()),
+                     .epoch = 1};
+    std::size_t after_ten = 0;
+    std::uint64_t encoded = 0;
+    for (view.number = 1; view.number <= 300; ++view.number) {
+      const auto now = static_cast<double>(view.number);
+      view.view.max_error = 0.05F + 1e-5F * static_cast<float>(view.number);
+      view.held.clear();
+      for (const PartKey& key : keys) view.held.push_back({key, 1000 * view.number, 1});
+      ASSERT_TRUE(sender->hear(*write_view(view), now));
+      const auto messages = sender->messages_for(666, now);
+      ASSERT_TRUE(messages);
+      for (const auto& message : *messages) {
+        if (const auto start = read_start(message)) view.start = start->start;
+        if (const auto part = read_part(message)) view.receipt.highest = part->number;
+      }
+      EXPECT_LE(sender->counts().encoded - encoded, most) << view.number;
+      encoded = sender->counts().encoded;
+      if (view.number == 10) after_ten = test::memory_taken();
+    }
+    EXPECT_GT(encoded, 250 * most);
+    EXPECT_LT(test::memory_taken(), after_ten + (std::size_t{1} << 14));
+  }
 }
 
 }  // namespace

@@ -68,8 +68,9 @@ std::vector<PartLink> links_for(const SourcePart& source, const Mesh& mesh, cons
     for (; border != source.links.end() && border->key < key; ++border) links.push_back(*border);
     const bool is_border = border != source.links.end() && border->key == key;
     const bool is_near = sent.is_everywhere || (sent.extent && touch(*sent.extent, extent));
-    const std::uint64_t least =
+    std::uint64_t least =
         key != source.part.key && (is_near || is_border) ? least_of(key, sent, viewer, plan) : 0;
+    if (least <= sent.first) least = 0;  // there never was anything older
     if (!is_border && least == 0) continue;
     PartLink link = is_border ? *border++ : PartLink{.key = key};
     link.least = least;

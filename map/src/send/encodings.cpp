@@ -112,9 +112,17 @@ double whole_bytes(const Encoding& encoding, const MapDescription& description) 
 
 }  // namespace
 
+bool Encodings::is_asked(const View& quality, const SourcePart& source) const {
+  return std::ranges::any_of(views_, [&](const View& view) {
+    return quality_of(view, source, codec_.description(), *colors_) == quality;
+  });
+}
+
 std::vector<Encodings::Asked>& Encodings::asked_of(const SourcePart& source) {
   std::vector<Asked>& asked = asked_[source.part.key];
-  std::erase_if(asked, [&](const Asked& a) { return a.content_revision != source.content_revision; });
+  std::erase_if(asked, [&](const Asked& a) {
+    return a.content_revision != source.content_revision || !is_asked(a.view, source);
+  });
   return asked;
 }
 
@@ -204,9 +212,12 @@ Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& 
 std::shared_ptr<const PartMatch> Encodings::match(const SourcePart& source, const View& quality,
                                                   const Encoding& base) {
   std::vector<Matched>& matched = matched_[source.part.key];
-  std::erase_if(matched, [&](const Matched& m) { return m.content_revision != source.content_revision; });
   for (const Matched& m : matched)
-    if (m.view == quality && m.hash == base.hash) return m.match;
+    if (m.content_revision == source.content_revision && m.view == quality && m.hash == base.hash)
+      return m.match;
+  std::erase_if(matched, [&](const Matched& m) {
+    return m.content_revision != source.content_revision || !is_asked(m.view, source);
+  });
   const AttributeQuality colors = part_quality(quality, codec_.description()).attributes;
   const MatchBounds bounds{*quality.max_error, colors};
   matched.push_back(

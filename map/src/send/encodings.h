@@ -50,6 +50,9 @@ class Encodings {
 
   const MapCodec& codec() const noexcept { return codec_; }
 
+  /// What viewers ask for now: when a part is encoded, what was made of it for others is forgotten.
+  void set_views(std::vector<View> views) { views_ = std::move(views); }
+
   /// The encoding of a part's newest source that the view asks for, or else the best that can be had; null if
   /// there is none. Encodes on the first request. Errors: kOutOfMemory, kInternal.
   Result<std::shared_ptr<const Encoding>> get(const SourcePart& source, const View& view);
@@ -85,6 +88,7 @@ class Encodings {
     std::shared_ptr<const PartMatch> match{};
   };
 
+  bool is_asked(const View& quality, const SourcePart& source) const;
   std::vector<Asked>& asked_of(const SourcePart& source);
   const Asked* find(const SourcePart& source, const View& view) const;
   Result<std::shared_ptr<const Encoding>> make(const SourcePart& source, const View& quality) const;
@@ -95,6 +99,7 @@ class Encodings {
   MapCodec codec_;
   SenderOptions options_;
   const ColorContent* colors_;
+  std::vector<View> views_{};
   std::map<PartKey, std::vector<Asked>> asked_;
   std::map<PartKey, std::vector<Matched>> matched_;
   std::uint64_t encoded_ = 0;

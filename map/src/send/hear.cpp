@@ -55,13 +55,18 @@ Result<void> MapSender::State::hear_view(std::span<const std::byte> bytes, doubl
   DELTAMESH_TRY(Viewer* const found, viewer_of(told, now));
   if (found == nullptr) return {};
   Viewer& viewer = *found;
-  if (viewer.number == 0 || viewer.start != told.start) {
+  viewer.number = told.number;
+  viewer.view = told.view;
+  std::vector<View> views;
+  for (const auto& [number, other] : viewers) views.push_back(other.view);
+  encodings.set_views(std::move(views));
+  if (told.number < viewer.said) return {};  // a later receipt tells better what it has
+  if (viewer.said == 0 || viewer.start != told.start) {
     viewer.delivery = Delivery(told.receipt.highest);
     viewer.pose.reset();
   }
   viewer.heard = now;
-  viewer.number = told.number;
-  viewer.view = told.view;
+  viewer.said = told.number;
   viewer.map = told.map;
   viewer.start = told.start;
   viewer.describe_next = std::min(viewer.describe_next, now + kDescribeAgain);
@@ -80,7 +85,8 @@ Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double n
   bool is_known = message.start >= start;
   if (const auto found = viewers.find(message.viewer); found != viewers.end()) {
     Viewer& viewer = found->second;
-    if (message.number > viewer.number) return &viewer;
+    const bool is_of_its_start = message.start == viewer.start;
+    if (message.number > (is_of_its_start ? viewer.number : viewer.said)) return &viewer;
     // Another receiver with its number, which has not heard of this sender yet.
     const bool begins_anew = message.start == 0 && viewer.start != 0 && now - viewer.heard > kReuse;
     if (!begins_anew) return nullptr;
@@ -104,10 +110,9 @@ Result<void> MapSender::State::hear_receipt(std::span<const std::byte> bytes, do
   if (message.map_id != encodings.codec().description().id)
     return invalid_argument("a receipt of another map");
   const auto found = viewers.find(message.viewer);
-  if (found == viewers.end() || message.number <= found->second.number ||
-      message.start != found->second.start)
+  if (found == viewers.end() || message.number <= found->second.said || message.start != found->second.start)
     return {};
-  found->second.number = message.number;
+  found->second.said = message.number;
   found->second.heard = now;
   take_receipt(found->second, message.receipt, now);
   return {};

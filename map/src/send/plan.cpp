@@ -14,14 +14,16 @@ namespace {
 class Planner {
  public:
   Planner(const Viewer& viewer, const SeenCells& seen, double waiting_since, const SourceMap& map,
-          Encodings& encodings, KnownVersions& known, bool keeps_good_enough)
+          Encodings& encodings, KnownVersions& known, bool keeps_good_enough,
+          const std::function<bool()>& is_over)
       : viewer_(viewer),
         seen_(seen),
         waiting_since_(waiting_since),
         map_(map),
         encodings_(encodings),
         known_(known),
-        keeps_good_enough_(keeps_good_enough) {}
+        keeps_good_enough_(keeps_good_enough),
+        is_over_(is_over) {}
 
   Result<SendPlan> run() {
     WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description(), seen_);
@@ -60,7 +62,8 @@ class Planner {
       return {};
     }
     const KnownVersion* version = find_version(known_, key, has->second.version);
-    if (version == nullptr) {  // from before this sender was started: perhaps what it would send
+    if (version == nullptr &&
+        !is_over_()) {  // from before this sender was started: perhaps what it would send
       DELTAMESH_TRY(const auto newest, newest_version(source, viewer_.view, encodings_, known_));
       if (newest == has->second.version) version = find_version(known_, key, *newest);
     }
@@ -167,6 +170,7 @@ class Planner {
   Encodings& encodings_;
   KnownVersions& known_;
   bool keeps_good_enough_;
+  const std::function<bool()>& is_over_;
   SendPlan plan_;
   std::map<PartKey, const KnownVersion*> kept_;
 };
@@ -192,8 +196,8 @@ Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, co
 
 Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double waiting_since,
                           const SourceMap& map, Encodings& encodings, KnownVersions& known,
-                          bool keeps_good_enough) {
-  return Planner(viewer, seen, waiting_since, map, encodings, known, keeps_good_enough).run();
+                          bool keeps_good_enough, const std::function<bool()>& is_over) {
+  return Planner(viewer, seen, waiting_since, map, encodings, known, keeps_good_enough, is_over).run();
 }
 
 }  // namespace deltamesh

@@ -70,6 +70,7 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
   });
   for (const HeldVersion& version : held) {
     SentPart& sent = viewer.sent[version.key];
+    if (version.revision < sent.first) sent.first = 0;
     // Of an earlier sender, or record of this viewer.
     if (sent.revision < version.revision) {
       sent.revision = version.revision;

@@ -17,7 +17,8 @@ namespace deltamesh {
 
 namespace {
 
-constexpr double kMostWait = 4;  // seconds; for a reply to the map's message
+constexpr double kMostWait = 4;            // seconds; for a reply to the map's message
+constexpr std::size_t kPartsAtOnce = 256;  // of which an update forgets versions
 
 Result<void> check_options(const SenderOptions& options) {
   if (options.effort < 0 || options.effort > 2) return invalid_argument("an effort out of 0 to 2");
@@ -59,7 +60,7 @@ Result<void> MapSender::update(std::span<const MapBlock> blocks) noexcept {
   return guarded([&]() -> Result<void> {
     DELTAMESH_TRY(const std::vector<PartKey> gone, state_->map.update(blocks));
     for (const PartKey& key : gone) state_->encodings.forget(key);
-    state_->forget_versions(2 * blocks.size());
+    state_->forget_versions(kPartsAtOnce + 2 * blocks.size());
     if (state_->colors.is_known()) return {};
     for (const MapBlock& block : blocks) DELTAMESH_CHECK(state_->colors.add(block.mesh));
     return {};
@@ -87,7 +88,9 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
     Viewer& viewer = found->second;
     std::vector<std::vector<std::byte>> messages;
     state_->begin_call(viewer, now);
+    const std::uint64_t encoded = state_->encodings.encoded();
     const auto added = state_->add_messages(viewer, now, messages);
+    state_->forget_versions(2 * (state_->encodings.encoded() - encoded));
     std::vector<std::vector<std::byte>> pieces;
     for (auto& message : messages) {
       const std::size_t size = message.size();

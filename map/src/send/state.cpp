@@ -14,12 +14,11 @@
 
 namespace deltamesh {
 
-/// Versions that no receiver has and that are not the newest, of some parts: the next ones at each update, so
-/// that an update does not take longer the larger the map is.
-void MapSender::State::forget_versions(std::size_t changed) {
-  constexpr std::size_t kPartsAtOnce = 256;
+/// Versions that no receiver has: of some parts, so that an update does not take longer the larger the map
+/// is.
+void MapSender::State::forget_versions(std::size_t parts) {
   auto next = known.lower_bound(look_at_next);
-  for (std::size_t count = std::min(std::max(kPartsAtOnce, changed), known.size()); count > 0; --count) {
+  for (std::size_t count = std::min(parts, known.size()); count > 0; --count) {
     if (next == known.end()) next = known.begin();
     const PartKey key = next->first;
     std::erase_if(next->second, [&](const auto& entry) { return !has_viewer(key, entry.first); });
@@ -57,9 +56,10 @@ Result<void> MapSender::State::make_newest(const PartKey& key, ChosenVersion cho
   const SourcePart& source = *map.find(key);
   const auto encoding = chosen.version.encoding;
   const KnownVersion* had = believed_version(viewer, key);
-  const bool is_the_same = had != nullptr && had->encoding->hash == encoding->hash;
   const std::optional<Believed> before = viewer.believed(key);
   const std::uint32_t told = version_hash(encoding->hash, chosen.version.links);
+  const bool is_the_same = had != nullptr ? had->encoding->hash == encoding->hash
+                                          : before && !before->is_gone && before->version == told;
   known[key][told] = std::move(chosen.version);
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
   std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
@@ -160,8 +160,8 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_s
     is_complete = true;
     const SeenCells seen(viewer, map, encodings.codec().description());
     DELTAMESH_CHECK(make_copies(viewer, seen, now));
-    DELTAMESH_TRY(SendPlan plan,
-                  plan_for(viewer, seen, waiting_since, map, encodings, known, options.keeps_good_enough));
+    DELTAMESH_TRY(SendPlan plan, plan_for(viewer, seen, waiting_since, map, encodings, known,
+                                          options.keeps_good_enough, [&] { return is_call_over(true); }));
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
     for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {

@@ -48,8 +48,8 @@ struct MapSender::State {
   std::chrono::steady_clock::time_point deadline{};  ///< of the call of messages_for() that runs
   unsigned epochs = 0;                               ///< that began because of receivers
 
-  /// Of so many parts, at least, as an update may bring new versions of.
-  void forget_versions(std::size_t changed);
+  /// Of so many parts, the next ones each time.
+  void forget_versions(std::size_t parts);
   bool has_viewer(const PartKey& key, std::uint32_t version) const;
   Result<void> hear(std::span<const std::byte> bytes, double now);
   Result<void> hear_view(std::span<const std::byte> bytes, double now);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -37,7 +38,8 @@ struct PartBox {
 
 /// The last message to a receiver about a part.
 struct SentPart {
-  std::uint64_t revision = 0;                              ///< of the last message
+  std::uint64_t revision = 0;  ///< of the last message
+  std::uint64_t first = 0;     ///< of the first one; 0: the receiver may have something older
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
   bool was_lost = false;            ///< that message
@@ -58,10 +60,11 @@ inline constexpr PartKey kPoseKey{kMostPartLevel + 1, 0, 0, 0};
 
 struct Viewer {
   View view{};
-  std::uint64_t number = 0;
-  std::uint64_t map = 0;    ///< hash of the description that it has
-  std::uint64_t start = 0;  ///< of the messages that it takes
-  std::uint64_t begin = 0;  ///< start of its messages: above that of an earlier record of it
+  std::uint64_t number = 0;  ///< of its last view
+  std::uint64_t said = 0;    ///< the highest number of its views and receipts
+  std::uint64_t map = 0;     ///< hash of the description that it has
+  std::uint64_t start = 0;   ///< of the messages that it takes
+  std::uint64_t begin = 0;   ///< start of its messages: above that of an earlier record of it
   Delivery delivery{};
   std::map<PartKey, Believed> has{};
   std::map<PartKey, SentPart>
@@ -109,10 +112,13 @@ struct Viewer {
 
   /// For a message about a version of `least` or later: above all that came before it.
   std::uint64_t next_revision(const PartKey& key, std::uint64_t least, double now) {
-    SentPart& part = sent[key];
+    const auto [place, is_first] = sent.try_emplace(key);
+    SentPart& part = place->second;
     part.time = now;
     part.is_removal = false;
-    return part.revision = std::max({part.revision + 1, least, begin});
+    part.revision = std::max({part.revision + 1, least, begin});
+    if (is_first) part.first = part.revision;
+    return part.revision;
   }
 };
 
@@ -147,10 +153,10 @@ class SeenCells;
 /// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
 /// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
 /// parts that the receiver does not show, and about which no message was sent since then, are sent again.
-/// Errors: as Encodings::get().
+/// `is_over`: whether nothing more is to be encoded. Errors: as Encodings::get().
 Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double waiting_since,
                           const SourceMap& map, Encodings& encodings, KnownVersions& known,
-                          bool keeps_good_enough);
+                          bool keeps_good_enough, const std::function<bool()>& is_over);
 
 /// The newest version for a view, which `known` gains; null: there is none. Errors: as Encodings::get().
 Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, const View& view,

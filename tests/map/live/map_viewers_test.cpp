@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "deltamesh/map/messages.h"
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 
@@ -82,6 +83,22 @@ TEST_F(MapViewers, SilentOnesMakeRoom) {
   MapReceiver last(100, 1);
   talk(last, 100, 1);
   EXPECT_EQ(sender_->viewers(), std::vector<std::uint64_t>{100});
+}
+
+TEST_F(MapViewers, MAP15AViewThatComesAfterALaterReceiptCounts) {
+  MapReceiver receiver(1, 1);
+  receiver.set_view(view_from(0));
+  talk(receiver, 1);
+  receiver.set_view(view_from(10));
+  const auto late = read_view(*receiver.view_message());
+  ASSERT_TRUE(late);
+  ASSERT_TRUE(sender_->hear(
+      *write_receipt({1, late->number + 1, 1, late->start, {late->receipt.highest, {}}}), now_));
+  ASSERT_TRUE(sender_->hear(*write_view(*late), now_));
+  const auto messages = sender_->messages_for(1, now_);
+  ASSERT_TRUE(messages);
+  for (const Bytes& message : *messages) ASSERT_TRUE(receiver.apply(message));
+  EXPECT_NE(receiver.find({0, 13, 0, 0}), nullptr);
 }
 
 TEST_F(MapViewers, ANumberThatIsUsedAgainBeginsAnew) {

@@ -56,5 +56,24 @@ TEST(Coexistence, MAP12WhatWasBesideAnEarlierVersionIsToldOfHoweverFarTheNewOneI
   }
 }
 
+TEST(Coexistence, MAP12WhatNeverWasOtherwiseIsNotTold) {
+  SendPlan plan;
+  plan.staying.insert(kBeside);
+  Viewer viewer;
+  for (const std::uint64_t revision : {7, 8}) {
+    EXPECT_EQ(viewer.next_revision(kBeside, revision, 0), revision);
+    viewer.sent[kBeside].add({{1, 1, 0}, {2, 2, 0}});
+    viewer.has[kBeside] = {.revision = revision, .since = revision, .stage = Believed::Stage::kSent};
+    EXPECT_EQ(least_of_other(source_at(0), viewer, plan), revision == 7 ? 0 : revision);
+  }
+  // A receiver that has it from elsewhere.
+  Viewer other;
+  take_held(other, {{.key = kBeside, .revision = 5, .version = 1}}, 0);
+  (void)other.next_revision(kBeside, 7, 0);
+  other.sent[kBeside].add({{1, 1, 0}, {2, 2, 0}});
+  other.has[kBeside] = {.revision = 7, .since = 7, .stage = Believed::Stage::kSent};
+  EXPECT_EQ(least_of_other(source_at(0), other, plan), 7U);
+}
+
 }  // namespace
 }  // namespace deltamesh::coexistence_test

@@ -22,12 +22,12 @@ std::uint64_t send(Delivery& delivery, double now) {
   return number;
 }
 
-/// Replies of a quick link, until 10.
-Delivery measured_delivery() {
+/// Replies of a link, until 10.
+Delivery measured_delivery(double round_trip = 0.05) {
   Delivery delivery;
-  for (double now = 8; now < 10; now += 0.1) {
+  for (double now = 8; now < 10; now += 0.4) {
     const std::uint64_t number = send(delivery, now);
-    delivery.hear({number, {}}, now + 0.05);
+    delivery.hear({number, {}}, now + round_trip);
   }
   return delivery;
 }
@@ -70,6 +70,20 @@ TEST(MapDelivery, MAP21WhatIsSentAgainDoesNotDelayTheNewMessageThatTellsWhetherT
   EXPECT_EQ(delivery.room(12.05), 0);
   delivery.hear({next, {}}, 12.05);
   EXPECT_GT(delivery.room(12.05), 1000);
+}
+
+TEST(MapDelivery, MAP21WhatIsLostIsSentTwiceWhereALinkIsSlowAndHasRoom) {
+  EXPECT_FALSE(Delivery().is_slow());
+  EXPECT_FALSE(measured_delivery().is_slow());
+  Delivery delivery = measured_delivery(0.3);
+  std::vector<std::uint64_t> numbers;
+  for (int i = 0; i < 40; ++i) numbers.push_back(send(delivery, 10));
+  EXPECT_TRUE(delivery.is_slow());
+  double now = 13;
+  for (int i = 0; i < 5; ++i) delivery.hear({numbers[static_cast<std::size_t>(i)], {}}, now += 0.1);
+  EXPECT_FALSE(delivery.is_slow());  // a thousand bytes a second, and more than that is on the way
+  delivery.hear({numbers.back(), {}}, now + 3.5);
+  EXPECT_TRUE(delivery.is_slow());
 }
 
 TEST(MapDelivery, MAP21TheFirstRepliesMayHaveWaitedInAQueueToo) {

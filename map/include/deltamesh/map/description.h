@@ -68,7 +68,10 @@ struct MapDescription {
   std::uint32_t epoch = 0;  ///< parts are decoded with the description of their epoch
   std::string frame{};      ///< coordinate frame; UTF-8, at most 255 bytes
   MapLattice lattice{};
-  std::uint32_t cell_steps = 1024;  ///< edge of a cell of level 0, lattice steps; 1 to 2^24
+  /// Edge of a cell of level 0, lattice steps; 1 to 2^24. For blocks of a mapper: their edge over step(),
+  /// rounded. Where that is no whole number, block x is up to x / 2 steps beside its cell: boxes of views
+  /// meet it so much too early or too late. What is shown fits together all the same.
+  std::uint32_t cell_steps = 1024;
   /// Low corner of the cell 0, 0, 0: that of a mapper's block, or where borders of cells meet no walls and
   /// floors.
   LatticePoint cell_origin{};

@@ -88,7 +88,8 @@ class MapReceiver {
 
   /// All parts shown, ascending by key. Spans are valid until the next apply().
   std::vector<HeldPart> held() const;
-  /// Takes what held() gave once, after the map's message. Errors: as apply().
+  /// Takes what held() gave once: after the map's message and before the next messages(), so that the sender
+  /// knows of it when it begins [MAP-16]. Errors: as apply().
   Result<void> restore(const PartEntry& entry, std::span<const std::byte> octets) noexcept;
 
   MapReceiver(MapReceiver&&) noexcept;

@@ -35,7 +35,7 @@ struct SenderOptions {
   /// no limit.
   std::size_t message_bytes = 0;
   /// After so many seconds of its own messages_for() gives what it has and goes on at the next call; above 0.
-  /// It ends between parts: one takes up to 0.1 s, at effort 0.
+  /// It ends between parts, of which it encodes one in any case: that takes up to 0.1 s, at effort 0.
   double call_seconds = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* cancel =
       nullptr;  ///< ends messages_for() in the same way when true; must outlive it
@@ -61,9 +61,12 @@ struct SenderCounts {
 /// pass, and of one that is set forward at most 2 from call to call. A message arrives within 60 seconds or
 /// not at all: then what is known of parts that no longer exist is forgotten. Where a receiver has another
 /// description of the map, of another lattice, say, and of an epoch that is not older, a new epoch begins,
-/// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Views that ask
-/// nothing of colours get them exactly until blocks with 1000 faces have come; these decide, once for all
-/// parts, whether they are labels, which stay exact, or those of photographs (ColorContent). Not thread-safe.
+/// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Whatever viewers say,
+/// a call encodes each part at most three times: as a patch, as a whole, and again where that cannot be as
+/// asked. What is kept of a part are encodings for present viewers' bounds and versions that receivers have.
+/// Views that ask nothing of colours get them exactly until blocks with 1000 faces have come; these decide,
+/// once for all parts, whether they are labels, which stay exact, or those of photographs (ColorContent). Not
+/// thread-safe.
 class MapSender {
  public:
   /// Errors: kInvalidArgument, those of MapCodec::open().

@@ -69,9 +69,10 @@ class Delivery {
 
   /// Seconds after which a message without a reply is taken to be lost (RFC 6298).
   double timeout() const noexcept;
-  /// Whether a message that is lost once more would be late.
+  /// Whether a message that is lost once more would be late, and there is room to send it twice.
   bool is_slow() const noexcept {
-    return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ == 0;
+    return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ <= 1 &&
+           flight_ < congestion_.limit() / 4;
   }
   /// Bytes that may be sent before they would queue up on their way; one message in any case if it is above
   /// 0. It is 0 while messages of long ago are unanswered. Where nothing new was sent for two round trips, it
