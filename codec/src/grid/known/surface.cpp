@@ -213,13 +213,18 @@ void KnownSurface::settle(const Cube& cube) {
     return (Bricks::brick_of(brick, over, corner).cut[at(1) + kSide * at(2)] &
             Brick::cut_bit(at(0), edge / 4)) != 0;
   };
-  for (unsigned before = 0; before != known.known();) {
+  std::array<Signs, 3> uncut{};  // of each axis, the first corners of edges
+  for (unsigned edge = 0; edge < kEdges; ++edge)
+    if (!is_cut(edge)) uncut[edge / 4] |= 1U << first_corner(edge);
+  for (Signs before = 0; before != known.known();) {
     before = known.known();
-    for (unsigned edge = 0; edge < kEdges; ++edge) {
-      const unsigned ends = 1U << first_corner(edge) | 1U << last_corner(edge);
-      if (is_cut(edge) || (known.known() & ends) == ends) continue;
-      if ((known.outside & ends) != 0) known.outside |= ends;
-      if ((known.inside & ends) != 0) known.inside |= ends;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const unsigned step = 1U << axis;
+      const Signs all = known.known();
+      const Signs up = uncut[axis] & all & ~(all >> step);
+      const Signs down = uncut[axis] & ~all & all >> step;
+      for (Signs* const side : {&known.outside, &known.inside})
+        *side |= (*side & up) << step | (*side >> step & down);
     }
   }
   bricks_.set_corners(brick, cube.place, known.outside, known.inside);
