@@ -61,7 +61,10 @@ class Map:
             return self.decode(self.primers[octets[1]], self.states[octets[1]], beside)[0]
         header = PartHeader(r, self.corner(key), self.primers[-1][0][0] if self.primers else None)
         border, shapes = r.bytes(r.varint()), iter(self.attributes)
-        chunks = CNT_4_chunks(r, header, lambda _: next(shapes))
+        chunks = CNT_4_chunks(r, header, lambda _: next(shapes, None))
+        tags = [chunk.tag for chunk in chunks]
+        must(tags.count("ATTR") == len(self.attributes), "MAP-7", f"{tags.count('ATTR')} attributes")
+        must("ORDR" not in tags, "MAP-7", "a part with an order")
         return self.decode(((header, chunks), border), self.states[-1], beside)[0]
 
 class PartHeader(Header):
@@ -70,7 +73,7 @@ class PartHeader(Header):
         self.corner = corner
         self.HDR_5_counts(r)
         if self.flags & 2:
-            must(self.coder == VOXELS and not self.flags & 0x38 and primer.coder == VOXELS, "MAP-7", f"flags {self.flags}")
+            must(self.coder == VOXELS and not self.flags & 0x38 and primer and primer.coder == VOXELS, "MAP-7", f"flags {self.flags}")
             self.levels, self.lattice_origin = r.varint(), primer.lattice_origin
             width = 2 * self.levels
             self.steps = [2 * primer.levels * S / width for S in primer.steps]

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// The worked example of maps: two triangles in two parts.
+// The worked examples of maps: two triangles in two parts, and a corner of a grid that changes.
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <string>
 
+#include "attributes/colors/colors.h"
+#include "deltamesh/known_mesh.h"
 #include "deltamesh/map/fragment.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/split.h"
+#include "grid/grid.h"
+#include "patch/payload.h"
 #include "spec/example_lines.h"
 
 namespace deltamesh {
@@ -81,6 +86,80 @@ TEST(MapExamples, MAP23MAP25APoseInFragments) {
     ASSERT_TRUE(whole);
     EXPECT_EQ(whole->value_or(std::vector<std::byte>()), i == 0 ? *written : std::vector<std::byte>());
   }
+}
+
+/// The example of what is coded beside a base.
+class BesideABase : public testing::Test {
+ protected:
+  static Mesh mesh_of(const std::string& which) {
+    Mesh mesh;
+    mesh.positions = line_of<float>("map.md", which + "-q");
+    mesh.triangles = line_of<std::uint32_t>("map.md", which + "-faces");
+    mesh.attributes.push_back({.kind = AttributeKind::kColor,
+                               .type = ComponentType::kU8,
+                               .components = 3,
+                               .normalized = true,
+                               .values = colors_of(which + "-colours")});
+    return mesh;
+  }
+  static std::vector<std::byte> colors_of(const std::string& name) {
+    std::vector<std::byte> values;
+    for (const auto level : line_of<std::uint8_t>("map.md", name)) values.push_back(std::byte{level});
+    return values;
+  }
+
+  const Mesh base_ = mesh_of("base");
+  const Mesh new_ = mesh_of("new");
+  const PatchPlan plan_{line_of<std::uint8_t>("map.md", "kept"), line_of<std::uint32_t>("map.md", "joined")};
+  const KnownMesh known_{base_.positions, base_.triangles, plan_.stays, base_.attributes};
+  const PredictiveParameters parameters_{
+      .kind = PositionKind::kVoxel, .lattice = {.cells = {8, 8, 8}}, .levels = 2};
+};
+
+TEST_F(BesideABase, MAP17ThePlan) {
+  const auto plan = bytes_of("map.md", "plan");
+  EXPECT_EQ(write_patch_plan(base_, new_, plan_), plan);
+  PatchPlanReader reader(plan, base_);
+  EXPECT_EQ(reader.stays(), plan_.stays);
+  const auto read = reader.finish(new_);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->joins, plan_.joins);
+}
+
+TEST_F(BesideABase, MAP26MAP27MAP28MAP29MAP30TheGridAndItsColours) {
+  const auto grid = bytes_of("map.md", "grid");
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < new_.positions.size(); i += 3) {
+    cells.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      cells.back()[axis] = static_cast<std::int32_t>(new_.positions[i + axis]);
+  }
+  const auto written = write_grid(new_.triangles, cells, parameters_, nullptr, &known_);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(written->payloads.surface, grid);
+  const auto read = read_grid({grid, {}}, parameters_, static_cast<std::uint32_t>(new_.vertex_count()),
+                              static_cast<std::uint32_t>(new_.triangle_count()), {}, &known_);
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->triangles, new_.triangles);
+  EXPECT_EQ(read->positions, new_.positions);
+
+  auto payload = bytes_of("map.md", "colours");
+  ASSERT_EQ(payload.front(), std::byte{7});
+  payload.erase(payload.begin());
+  AttributeSurface surface(new_.triangles, static_cast<std::uint32_t>(new_.vertex_count()), {},
+                           new_.positions);
+  surface.set_known(read->known);
+  std::vector<std::uint32_t> order(new_.vertex_count());
+  std::iota(order.begin(), order.end(), 0U);
+  const AttributeView view = MeshView(new_).attributes[0];
+  const auto colors =
+      write_surface_colors(view.type, AttributeRows(view, order), 0, surface, nullptr, &base_.attributes[0]);
+  ASSERT_TRUE(colors);
+  EXPECT_EQ(colors->bytes, payload);
+  const auto back =
+      read_surface_colors(payload, view.type, view.components, surface, {}, &base_.attributes[0]);
+  ASSERT_TRUE(back) << describe(back.error());
+  EXPECT_EQ(*back, new_.attributes[0].values);
 }
 
 }  // namespace

@@ -17,11 +17,13 @@ from fgrp import FGRP_1_read
 from fields import FLD_numbers
 from glue import CONN_8_faces
 from grid import GRD_12_read
+from known import Known
 from graph import components, neighbours
 from mesh import decode_chunks
 from messages import MAP_25_whole, Pose
 from ordr import ORDR_1_read
 from parts import Map
+from patches import MAP_17_joined, MAP_17_staying
 from plain import FGRP_1_plain, PLN_2_faces, PLN_5_positions, PLN_6_values
 from posn import POSN_1_positions
 from seam import SEAM_1_read
@@ -98,6 +100,32 @@ def stream():
     return decode_chunks(header, chunks, States())
 
 
+def coloured(which, positions):
+    """A mesh of the example of what is coded beside a base."""
+    colours = SimpleNamespace(kind=1, type="u1", k=3, name=b"", values=np.array(line("map.md", f"{which}-colours"), dtype="u1").reshape(-1, 3))
+    return SimpleNamespace(positions=np.float32(positions), faces=triples(line("map.md", f"{which}-faces")), attributes=[colours])
+
+
+def beside_a_base():
+    """The example of map.md of what is coded beside a base."""
+    base, plan = coloured("base", triples(line("map.md", "base-q"))), Coder(Reader(line("map.md", "plan", bytes)))
+    stays = MAP_17_staying(plan, base.faces)
+    yield "map.md kept", stays, line("map.md", "kept")
+    header = lattice(VOXELS, 5, cells=[8, 8, 8], levels=2, triangles=4)
+    known = Known(base, stays, header)
+    faces, points = GRD_12_read({"GRID": chunk("map.md", "grid"), "CONN": Chunk()}, header, States(), known)
+    yield "map.md faces of the inserted part", faces, line("map.md", "new-faces")
+    yield "map.md positions of the inserted part", points, line("map.md", "new-q")
+    new = coloured("new", points)
+    kept = [face for face, stay in zip(base.faces, stays) if stay]
+    joins = MAP_17_joined(plan, base, kept, new)
+    plan.CMP_3_end()
+    yield "map.md joined", [joins.get(v, -1) for v in range(5)], line("map.md", "joined")
+    surface = Surface(SEAM_1_read(Chunk(), faces, 5, 5), new.positions, faces, new.attributes, States(), known)
+    yield "map.md colours", ATTR_2_values(Chunk(is_compact=True, data=line("map.md", "colours", bytes), descriptor=new.attributes[0]), surface), \
+        line("map.md", "new-colours")
+
+
 def examples():
     """Names, decoded values and those of the text."""
     yield from plain()
@@ -139,6 +167,7 @@ def examples():
     yield "map.md pose's numbers", (pose.map, pose.start, pose.number, pose.stamp), (whole.hash, 1, 5, 1500000000)
     yield "map.md fragments", list(MAP_25_whole(pieces[::-1])), list(message)
     yield "map.md fragments but one", [MAP_25_whole(pieces[1:])], [None]
+    yield from beside_a_base()
     mesh = stream()
     yield "format.md faces", mesh.faces, line("format.md", "faces")
     yield "format.md positions", mesh.positions, line("format.md", "positions", np.float32)

@@ -115,10 +115,11 @@ class BoundSearch {
     return best ? trials_.code_in_cubes(*best) : std::nullopt;
   }
 
-  /// As many levels as the starting states know, if these keep the bounds.
+  /// As many levels as the starting states know, if these keep the bounds. Empty where the best has as many.
   std::optional<Candidate> on_usual_levels(const VoxelFit& fit) const {
-    if (trials_.usual_levels() == 0) return std::nullopt;
-    const auto trial = trials_.try_levels(fit, trials_.usual_levels(), bounds_);
+    const std::uint32_t levels = trials_.usual_levels();
+    if (levels == 0 || (best_ && best_->predictive.levels == levels)) return std::nullopt;
+    const auto trial = trials_.try_levels(fit, levels, bounds_);
     if (!trial || bounds_.load(trial->quality) > 1) return std::nullopt;
     return trials_.code_in_cubes(*trial);
   }

@@ -21,14 +21,16 @@ constexpr unsigned kNoAxis = 3;
 Bricks::Place brick_of(const Node& node) noexcept { return {node[0] >> 4, node[1] >> 4, node[2] >> 4}; }
 Spot spot_in_brick(const Node& node) noexcept { return {node[0] & 15, node[1] & 15, node[2] & 15}; }
 
-/// Twice the coordinates of an edge's middle in its cube.
-Node middle_of(unsigned edge) noexcept {
-  Node middle{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    middle[axis] = 2 * static_cast<std::int32_t>(first_corner(edge) >> axis & 1);
-  middle[edge / 4] = 1;
-  return middle;
-}
+/// Twice the coordinates of the edges' middles in their cube.
+constexpr std::array<Node, kEdges> kMiddles = [] {
+  std::array<Node, kEdges> middles{};
+  for (unsigned edge = 0; edge < kEdges; ++edge) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      middles[edge][axis] = 2 * static_cast<std::int32_t>(first_corner(edge) >> axis & 1);
+    middles[edge][edge / 4] = 1;
+  }
+  return middles;
+}();
 
 }  // namespace
 
@@ -91,14 +93,15 @@ struct KnownSurface::Face {
     return a == b || b == c || c == a ? std::nullopt : std::optional(face);
   }
 
-  /// Above 0 if the face looks along the axis of its corner's edge.
-  int way_at(std::size_t corner) const noexcept {
-    const Node a = middle_of(edges[0]);
-    const Node b = middle_of(edges[1]);
-    const Node c = middle_of(edges[2]);
-    const std::size_t i = (edges[corner] / 4 + 1) % 3;
-    const std::size_t j = (edges[corner] / 4 + 2) % 3;
-    return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+  /// Where the face looks to, if its corners are in the middles of the edges.
+  Node normal() const noexcept {
+    const Node& a = kMiddles[edges[0]];
+    const Node& b = kMiddles[edges[1]];
+    const Node& c = kMiddles[edges[2]];
+    const auto component = [&](std::size_t i, std::size_t j) {
+      return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+    };
+    return {component(1, 2), component(2, 0), component(0, 1)};
   }
 };
 
@@ -133,7 +136,7 @@ bool KnownSurface::add_vertices(const KnownMesh& mesh, const PredictiveParameter
     edges_[v].level = home.level;
     edges_[v].cut = static_cast<std::int8_t>(
         static_cast<int>(32 * (2 * std::uint64_t{home.level} + 1) / parameters.levels) - 32);
-    Brick& brick = bricks_.get(brick_of(home.node));
+    Brick& brick = brick_at(brick_of(home.node));
     const Spot spot = spot_in_brick(home.node);
     std::uint32_t& vertex = bricks_.vertex(
         brick, kSlots[0][static_cast<std::size_t>(spot[0])] + row_slot(spot[1], spot[2]), home.axis);
@@ -163,10 +166,16 @@ std::vector<KnownVertex> KnownSurface::vertices_at(std::span<const float> positi
   return vertices;
 }
 
+Brick& KnownSurface::brick_at(const Bricks::Place& at) {
+  if (last_ == nullptr || last_->at != at) last_ = &bricks_.get(at);
+  return *last_;
+}
+
 void KnownSurface::add_face(const Face& face, bool stays) {
-  Brick& brick = bricks_.get(brick_of(face.lowest));
+  Brick& brick = brick_at(brick_of(face.lowest));
   const unsigned place = place_of(spot_in_brick(face.lowest));
-  if (brick.cubes[place] == 0) cubes_.push_back({&brick, place});
+  const bool is_first = brick.cubes[place] == 0;
+  if (is_first) cubes_.push_back({&brick, place});
   brick.cubes[place] = static_cast<std::uint8_t>(brick.cubes[place] | (stays ? kStays : kGoes));
   if (!stays) {
     Pattern& gone = gone_[number_of(brick, place)];
@@ -175,16 +184,18 @@ void KnownSurface::add_face(const Face& face, bool stays) {
   const Corners known(brick, place);
   Signs outside = known.outside;
   Signs inside = known.inside;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const int way = face.way_at(c);
+  const Node normal = face.normal();
+  for (const unsigned edge : face.edges) {
+    const int way = normal[edge / 4];
     if (way == 0) continue;
-    unsigned in = 1U << first_corner(face.edges[c]);
-    unsigned out = 1U << last_corner(face.edges[c]);
+    unsigned in = 1U << first_corner(edge);
+    unsigned out = 1U << last_corner(edge);
     if (way < 0) std::swap(in, out);
     inside |= in & ~outside;
     outside |= out & ~inside;
   }
-  bricks_.set_corners(brick, place, outside, inside);
+  if (is_first || outside != known.outside || inside != known.inside)
+    bricks_.set_corners(brick, place, outside, inside);
 }
 
 /// Corners that no face tells of are on the side of those along edges that are not cut.
@@ -202,12 +213,18 @@ void KnownSurface::settle(const Cube& cube) {
     return (Bricks::brick_of(brick, over, corner).cut[at(1) + kSide * at(2)] &
             Brick::cut_bit(at(0), edge / 4)) != 0;
   };
-  for (unsigned round = 0; round < kCorners && known.known() != 255; ++round) {
-    for (unsigned edge = 0; edge < kEdges; ++edge) {
-      const unsigned ends = 1U << first_corner(edge) | 1U << last_corner(edge);
-      if (is_cut(edge) || (known.known() & ends) == ends) continue;
-      if ((known.outside & ends) != 0) known.outside |= ends;
-      if ((known.inside & ends) != 0) known.inside |= ends;
+  std::array<Signs, 3> uncut{};  // of each axis, the first corners of edges
+  for (unsigned edge = 0; edge < kEdges; ++edge)
+    if (!is_cut(edge)) uncut[edge / 4] |= 1U << first_corner(edge);
+  for (Signs before = 0; before != known.known();) {
+    before = known.known();
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const unsigned step = 1U << axis;
+      const Signs all = known.known();
+      const Signs up = uncut[axis] & all & ~(all >> step);
+      const Signs down = uncut[axis] & ~all & all >> step;
+      for (Signs* const side : {&known.outside, &known.inside})
+        *side |= (*side & up) << step | (*side >> step & down);
     }
   }
   bricks_.set_corners(brick, cube.place, known.outside, known.inside);

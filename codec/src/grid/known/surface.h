@@ -64,12 +64,14 @@ class KnownSurface {
 
   bool add_vertices(const KnownMesh& mesh, const PredictiveParameters& parameters, std::vector<Home>& homes);
   void add_face(const Face& face, bool stays);
+  Brick& brick_at(const Bricks::Place& at);
   void settle(const Cube& cube);
   static std::uint64_t number_of(const Brick& brick, unsigned place) noexcept {
     return std::uint64_t{brick.number} * kPlaces + place;
   }
 
   Bricks bricks_;
+  Brick* last_ = nullptr;         ///< what brick_at() gave
   std::vector<KnownEdge> edges_;  ///< by vertex
   std::vector<Cube> cubes_;
   std::unordered_map<std::uint64_t, Pattern> gone_;
