@@ -10,9 +10,10 @@ const WARM_UP_MILLISECONDS = 1500;
 const LEAST_TURNS = 7;
 const MOST_MILLISECONDS = 4000;
 
-async function openDeltamesh(files) {
+/** With the modules that `streams` need, which decode() of a page loads, too. */
+async function openDeltamesh(files, streams) {
   const decoder = await createDecoder({ files });
-  await decoder.load();
+  for (const part of new Set(streams.flatMap((bytes) => decoder.inspect(bytes).modules))) await decoder.load(part);
   return (bytes) => {
     const mesh = decoder.decodeSync(bytes);
     if (mesh instanceof DeltameshError) throw mesh;
@@ -21,8 +22,8 @@ async function openDeltamesh(files) {
 }
 
 /** `modules`: { core, highpass, rare, grid, zstd, draco }, bytes. */
-function openCodec(codec, { draco, ...modules }) {
-  return codec === 'draco' ? openDraco(draco) : openDeltamesh(modules);
+function openCodec(codec, { draco, ...modules }, streams) {
+  return codec === 'draco' ? openDraco(draco) : openDeltamesh(modules, streams);
 }
 
 function timeOf(decode, streams) {
@@ -39,13 +40,14 @@ export function median(values) {
 /** The first decode, and the same from the modules' bytes on, milliseconds. Only the first call in a process means anything. */
 export async function cold(codec, modules, streams) {
   const begin = performance.now();
-  const first = timeOf(await openCodec(codec, modules), streams);
+  const first = timeOf(await openCodec(codec, modules, streams), streams);
   return { cold: first, 'cold, with the module': performance.now() - begin };
 }
 
 /** Medians of decodes in turn, milliseconds. `jobs`: by name, { codec, streams }. */
 export async function warm(jobs, modules) {
-  const codecs = { deltamesh: await openCodec('deltamesh', modules), draco: await openCodec('draco', modules) };
+  const own = Object.values(jobs).flatMap(({ codec, streams }) => (codec === 'deltamesh' ? streams : []));
+  const codecs = { deltamesh: await openCodec('deltamesh', modules, own), draco: await openCodec('draco', modules) };
   const turn = () => Object.values(jobs).map(({ codec, streams }) => timeOf(codecs[codec], streams));
   for (const begin = performance.now(); performance.now() - begin < WARM_UP_MILLISECONDS; ) {
     turn();

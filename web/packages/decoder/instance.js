@@ -9,6 +9,8 @@ const KEPT_BYTES = 2 ** 26;
 const PAGE = 2 ** 16;
 const FIRST_PAGES = 32;
 
+const LETTERS = new TextDecoder();
+
 class OutOfMemory extends Error {}
 
 /** A module at work, with views of its memory that are good until its next call. */
@@ -44,7 +46,7 @@ export class Instance {
   /** `size`: bytes; without it up to a zero. */
   text(address, size) {
     const all = new Uint8Array(this.memory.buffer);
-    return new TextDecoder().decode(all.slice(address, size === undefined ? all.indexOf(0, address) : address + size));
+    return LETTERS.decode(all.subarray(address, size === undefined ? all.indexOf(0, address) : address + size));
   }
 
   /** Its address; release it. */

@@ -83,7 +83,7 @@ export async function compileGiven(source) {
     const url = new URL(given, globalThis.document?.baseURI ?? globalThis.location?.href);
     return once(compiled, url.href, () => fetchModule(url));
   }
-  if (typeof Response !== 'undefined' && given instanceof Response) return WebAssembly.compile(await given.arrayBuffer());
+  if (given.arrayBuffer) return WebAssembly.compile(await given.arrayBuffer()); // a Response, whose name alone makes node load all of fetch()
   return once(compiledBytes, given, () => WebAssembly.compile(given)); // views of one buffer may be several modules
 }
 

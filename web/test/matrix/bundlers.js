@@ -56,6 +56,12 @@ async function esbuild(format) {
   return { folder: join(folder, 'dist') };
 }
 
+/** decode.cjs with all that it requires, for node. */
+export async function bundleForNode(folder) {
+  const { build } = await load('esbuild');
+  await build({ entryPoints: [join(folder, 'decode.cjs')], bundle: true, platform: 'node', format: 'cjs', outfile: join(folder, 'bundled.cjs'), logLevel: 'error' });
+}
+
 async function rollup() {
   const folder = fresh('rollup');
   const { rollup: bundle } = await load('rollup');

@@ -9,7 +9,7 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
 import { hasChromium, launch } from '../chromium.js';
-import { BUNDLERS } from './bundlers.js';
+import { BUNDLERS, bundleForNode } from './bundlers.js';
 import { serveFolders } from './serve.js';
 import { fresh, prepare, work } from './workplace.js';
 
@@ -116,12 +116,14 @@ test('one script on a disk', { skip }, async () => {
 const RUNTIMES = {
   'node, ES modules': [process.execPath, 'decode.mjs'],
   'node, require': [process.execPath, 'decode.cjs'],
+  'esbuild, CommonJS': [process.execPath, 'bundled.cjs'],
   Deno: [join(work, 'node_modules/.bin/deno'), 'run', '--allow-all', '--node-modules-dir=manual', '--quiet', 'decode.mjs'],
   Bun: [join(work, 'node_modules/.bin/bun'), 'decode.mjs'],
 };
 for (const [name, [program, ...args]] of Object.entries(RUNTIMES)) {
-  test(name, { skip }, () => {
+  test(name, { skip }, async () => {
     const folder = fresh('runtime');
+    if (args.includes('bundled.cjs')) await bundleForNode(folder);
     const [here, there] = execFileSync(program, args, { cwd: folder, encoding: 'utf8', timeout: MOST_MILLISECONDS }).trim().split(' ');
     assert.ok(Number(here) > 0);
     assert.equal(there, here);

@@ -16,6 +16,8 @@ function makeStage(find, drawing) {
     return new Stage(find('canvas'), drawing);
   } catch {
     find('no-picture').hidden = false;
+    find('stage').classList.add('empty');
+    find('view').hidden = true;
     find('still')?.remove();
     return new NoStage();
   }

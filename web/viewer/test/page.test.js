@@ -229,6 +229,7 @@ test('without WebGL the page says so, and compresses', { skip }, async () => {
   const plain = await openPage({ hash: '#example=terrain&effort=0', before: () => (HTMLCanvasElement.prototype.getContext = () => null) });
   await waitUntilDone(plain.page);
   assert.equal(await plain.page.$eval('#no-picture', (element) => element.hidden), false);
+  for (const id of ['divider', 'label-original', 'view']) assert.equal(await plain.page.$eval(`#${id}`, (element) => element.checkVisibility()), false, id);
   assert.ok((await shownBytes(plain.page)) > 0);
   await plain.close();
 });
