@@ -3,6 +3,7 @@
 #include "option_numbers.h"
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace deltamesh::cli {
@@ -31,10 +32,16 @@ std::optional<double> parse_number(const std::string& text) {
 }
 
 std::optional<QualityBound> parse_bound(const std::string& text) {
+  if (text == "none") return kNoBound;
   std::string rest;
   const std::optional<double> value = leading_number(text, rest);
   if (!value || (!rest.empty() && rest != "%")) return std::nullopt;
   return QualityBound{.value = *value, .unit = rest.empty() ? QualityUnit::kModel : QualityUnit::kDiagonal};
+}
+
+std::string text_of(const QualityBound& bound) {
+  if (bound.value == kNoBound.value) return "none";
+  return nlohmann::json(bound.value).dump() + (bound.unit == QualityUnit::kDiagonal ? "%" : "");
 }
 
 std::optional<NamedBound> parse_named_bound(const std::string& text) {
@@ -65,7 +72,7 @@ CLI::Option* add_bound(CLI::App& command, const std::string& name, const std::st
       .add_option_function<std::string>(
           name,
           [&bound, name](const std::string& text) {
-            bound = name == "--max-error" && text == "none" ? kNoBound : parse_bound(text);
+            bound = name == "--max-error" || text != "none" ? parse_bound(text) : std::nullopt;
             if (!bound) throw CLI::ValidationError(name, "not a number, nor a number and %: " + text);
           },
           what)
