@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// bounds.json of a map's folder: what was asked of positions when the map was last split.
+// bounds.json of a map's folder: what was asked of positions when the map was last made or changed.
 #pragma once
 
 #include <string>
 
-#include "deltamesh/quality_request.h"
+#include "deltamesh/map/encode_map.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh::cli {
 
-/// In model units; empty where the folder has no such file, or one that is damaged: then the next split
-/// begins anew.
-QualityRequest load_bounds(const std::string& folder);
+/// Fills `asked` and `bounds` of a state; a folder without the file leaves them empty. Errors: kFileRead,
+/// kInvalidFile.
+Result<void> load_bounds(const std::string& folder, MapState& state);
 
-/// Nothing where `bounds` are empty. Errors: kFileWrite.
-Result<void> save_bounds(const std::string& folder, const QualityRequest& bounds);
+/// Nothing where nothing is known. Errors: kFileWrite.
+Result<void> save_bounds(const std::string& folder, const MapState& state);
+
+/// "max error 0.02% = 0.00146, vde 0.01": what was asked, and what it is in model units where that is in
+/// percent.
+std::string bounds_text(const MapState& state);
 
 }  // namespace deltamesh::cli

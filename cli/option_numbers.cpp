@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace deltamesh::cli {
@@ -32,10 +33,16 @@ std::optional<double> parse_number(const std::string& text) {
 }
 
 std::optional<QualityBound> parse_bound(const std::string& text) {
+  if (text == "none") return kNoBound;
   const bool is_percent = text.ends_with('%');
   const std::optional<double> value = parse_number(is_percent ? text.substr(0, text.size() - 1) : text);
   if (!value || !std::isfinite(*value)) return std::nullopt;
   return QualityBound{.value = *value, .unit = is_percent ? QualityUnit::kDiagonal : QualityUnit::kModel};
+}
+
+std::string text_of(const QualityBound& bound) {
+  if (bound.value == kNoBound.value) return "none";
+  return nlohmann::json(bound.value).dump() + (bound.unit == QualityUnit::kDiagonal ? "%" : "");
 }
 
 std::optional<NamedBound> parse_named_bound(const std::string& text) {
@@ -66,7 +73,7 @@ CLI::Option* add_bound(CLI::App& command, const std::string& name, const std::st
       .add_option_function<std::string>(
           name,
           [&bound, name](const std::string& text) {
-            bound = name == "--max-error" && text == "none" ? kNoBound : parse_bound(text);
+            bound = name == "--max-error" || text != "none" ? parse_bound(text) : std::nullopt;
             if (!bound) throw CLI::ValidationError(name, "not a number, nor a number and %: " + text);
           },
           what)

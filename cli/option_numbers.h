@@ -17,8 +17,12 @@ namespace deltamesh::cli {
 /// "0.002" or "1/4096"; empty where the text is neither.
 std::optional<double> parse_number(const std::string& text);
 
-/// A number in model units; with a % behind, of the diagonal. Empty where it is neither.
+/// A number in model units; with a % behind, of the diagonal; or "none" for kNoBound. Empty where it is none
+/// of these.
 std::optional<QualityBound> parse_bound(const std::string& text);
+
+/// What parse_bound() makes the same bound of.
+std::string text_of(const QualityBound& bound);
 
 /// "NAME=NUMBER", split at the last "="; empty where it has another form.
 std::optional<NamedBound> parse_named_bound(const std::string& text);

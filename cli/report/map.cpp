@@ -25,12 +25,6 @@ struct Totals {
   double max_error = 0;
 };
 
-std::vector<PartKey> keys_of(const MapManifest& manifest) {
-  std::vector<PartKey> keys;
-  for (const PartEntry& entry : manifest.entries) keys.push_back(entry.key);
-  return keys;
-}
-
 /// Of the parts that show the map on a level.
 Totals totals_on(const MapManifest& manifest, std::uint8_t level) {
   const auto keys = keys_on_level(keys_of(manifest), level);
@@ -75,6 +69,12 @@ std::uint64_t primer_bytes(const MapDescription& description) noexcept {
 
 }  // namespace
 
+std::vector<PartKey> keys_of(const MapManifest& manifest) {
+  std::vector<PartKey> keys;
+  for (const PartEntry& entry : manifest.entries) keys.push_back(entry.key);
+  return keys;
+}
+
 std::string key_text(const PartKey& key) {
   return "level " + std::to_string(key.level) + ", " + std::to_string(key.x) + ' ' + std::to_string(key.y) +
          ' ' + std::to_string(key.z);
@@ -87,8 +87,8 @@ nlohmann::ordered_json key_object(const PartKey& key) {
   return object;
 }
 
-void print_map(const std::string& headline, const MapManifest& manifest, std::optional<std::size_t> new_parts,
-               double color_rms) {
+void print_map(const std::string& headline, const MapManifest& manifest,
+               const std::optional<MapUpdate>& update) {
   const MapDescription& description = manifest.description;
   const Totals totals = totals_on(manifest, 0);
   Summary summary(headline);
@@ -103,14 +103,15 @@ void print_map(const std::string& headline, const MapManifest& manifest, std::op
     parts += " of " + grouped(totals.least) + " to " + counted(totals.most, "byte", "bytes") + ", mean " +
              grouped(totals.bytes / totals.parts);
   summary.add("parts", parts);
-  if (new_parts) summary.add("new or changed", counted(*new_parts, "part", "parts"));
+  if (update) summary.add("new or changed", counted(update->new_parts, "part", "parts"));
   summary.add("vertices", grouped(totals.vertices) + ", those of borders in each of their parts");
   summary.add("triangles", grouped(totals.triangles));
   summary.add("bytes", grouped(totals.bytes + primer_bytes(description)) + ", of which " +
                            grouped(primer_bytes(description)) + " are primers");
+  if (update) summary.add(update->keeps_bounds ? "bounds kept" : "bounds", update->bounds);
   summary.add("max error", brief(totals.max_error));
   if (const auto error = color_error_of(manifest))
-    summary.add("colours", kept_text(AttributeKind::kColor, *error, color_rms));
+    summary.add("colours", kept_text(AttributeKind::kColor, *error, update ? update->color_rms : 0));
   if (has_copies(manifest, totals)) {
     for (int level = 1; level <= manifest.entries.back().key.level; ++level) {
       const Totals shown = totals_on(manifest, static_cast<std::uint8_t>(level));

@@ -14,10 +14,20 @@
 
 namespace deltamesh::cli {
 
-/// For people, on standard output. `new_parts`: how many were written just now. `color_rms`: the mean error
-/// that was asked for, 255ths; 0: none, or not known.
+/// Of all parts, ascending.
+std::vector<PartKey> keys_of(const MapManifest& manifest);
+
+/// What is told of a map that was made or changed just now.
+struct MapUpdate {
+  std::size_t new_parts = 0;  ///< that were written
+  bool keeps_bounds = false;  ///< those from before
+  std::string bounds;         ///< bounds_text()
+  double color_rms = 0;       ///< the mean error that was asked for, 255ths; 0: none, or not known
+};
+
+/// For people, on standard output.
 void print_map(const std::string& headline, const MapManifest& manifest,
-               std::optional<std::size_t> new_parts = std::nullopt, double color_rms = 0);
+               const std::optional<MapUpdate>& update = std::nullopt);
 
 /// The same figures.
 nlohmann::ordered_json map_object(const MapManifest& manifest);

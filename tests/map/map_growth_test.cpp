@@ -102,12 +102,41 @@ TEST(MapGrowth, KeepsItsOrigin) {
   EXPECT_LT(new_parts(*after), after->manifest.entries.size());
 }
 
-TEST(MapGrowth, BoundsInModelUnitsStayExact) {
-  const auto before = encode_map(plain(60), settings({}));
+TEST(MapGrowth, OtherBoundsReplaceThoseFromBefore) {
+  const QualityBound coarse{0.05};
+  const QualityBound percent{.value = 0.02, .unit = QualityUnit::kDiagonal};
+  const auto first = encode_map(plain(60), settings({.max_error = coarse}));
+  ASSERT_TRUE(first);
+  MapState state = *first;
+  for (const QualityRequest& bounds :
+       {kPercent, QualityRequest{.max_error = QualityBound{0.01}}, QualityRequest{.lfe = percent},
+        QualityRequest{.vde = QualityBound{0.01}, .max_error = kNoBound}}) {
+    const auto alone = encode_map(plain(60), settings(bounds));
+    ASSERT_TRUE(alone);
+    const auto after = encode_map(plain(60), settings(bounds), &state);
+    ASSERT_TRUE(after);
+    const auto kept = encode_map(plain(100), settings({}), &*after);  // nothing is said
+    ASSERT_TRUE(kept);
+    for (const MapState* now : {&*after, &*kept})
+      for (const auto bound : {&QualityRequest::vde, &QualityRequest::lfe, &QualityRequest::max_error}) {
+        ASSERT_EQ((now->bounds.*bound).has_value(), (bounds.*bound).has_value());
+        if (!(bounds.*bound)) continue;
+        EXPECT_EQ((now->bounds.*bound)->value, (alone->bounds.*bound)->value);
+      }
+    EXPECT_EQ(kept->manifest.description, after->manifest.description);
+    state = *after;
+  }
+}
+
+TEST(MapGrowth, AMapWithoutFacesRemembersWhatWasAsked) {
+  const auto before = encode_map(plain(60), settings({.max_error = QualityBound{0.05}}));
   ASSERT_TRUE(before);
-  const auto after = encode_map(plain(60), settings({.max_error = QualityBound{0.01}}), &*before);
-  ASSERT_TRUE(after);
-  EXPECT_EQ(after->bounds.max_error->value, 0.01);
+  const auto empty = encode_map(Mesh(), settings(kPercent), &*before);
+  ASSERT_TRUE(empty);
+  const auto after = encode_map(plain(60), settings({}), &*empty);
+  const auto alone = encode_map(plain(60), settings(kPercent));
+  ASSERT_TRUE(after && alone);
+  EXPECT_EQ(after->bounds.max_error->value, alone->bounds.max_error->value);
 }
 
 }  // namespace

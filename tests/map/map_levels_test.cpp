@@ -121,6 +121,11 @@ TEST(MapLevels, LevelsOfAMap) {
   EXPECT_EQ(keys_on_level(keys, 2), (std::vector<PartKey>{keys[4]}));
   EXPECT_TRUE(keys_on_level(keys, 3).empty());
   EXPECT_TRUE(keys_on_level({}, 0).empty());
+  EXPECT_EQ(top_level(keys), 2);
+  EXPECT_EQ(top_level(std::span(keys).first(4)), 1);
+  EXPECT_EQ(top_level(std::span(keys).first(3)), 0);  // a part without a copy on level 1
+  EXPECT_EQ(top_level(std::span(keys).last(2)), 2);
+  EXPECT_EQ(top_level({}), 0);
 }
 
 TEST(MapLevels, AWholeMeshAsAMapWithLevels) {
@@ -134,6 +139,7 @@ TEST(MapLevels, AWholeMeshAsAMapWithLevels) {
   const auto coarse = decode_map(*state, {}, 5);
   ASSERT_TRUE(coarse);
   EXPECT_EQ(odd_edges(*coarse), 0U);
+  EXPECT_EQ(decode_map(*state, {}, 6).error().code, ErrorCode::kInvalidArgument);
   EXPECT_LT(coarse->triangle_count(), mesh.triangle_count() / 8);
   for (const PartEntry& entry : state->manifest.entries) {
     EXPECT_LE(entry.quality.max_error, entry.key.level < 4 ? 0.05 : 0.3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <algorithm>
 #include <set>
 
 #include "deltamesh/map/part_key.h"
@@ -18,6 +19,18 @@ std::vector<PartKey> keys_on_level(std::span<const PartKey> keys, std::uint8_t l
       holders.insert(ancestor(key, static_cast<std::uint8_t>(above)));
   }
   return shown;
+}
+
+std::uint8_t top_level(std::span<const PartKey> keys) {
+  if (keys.empty()) return 0;
+  const std::uint8_t highest = keys.back().level;
+  std::uint8_t top = highest;
+  for (const PartKey& key : keys_on_level(keys, 0)) {
+    std::uint8_t level = highest;
+    while (level > key.level && !std::ranges::binary_search(keys, ancestor(key, level))) --level;
+    top = std::min(top, level);
+  }
+  return top;
 }
 
 }  // namespace deltamesh

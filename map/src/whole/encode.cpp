@@ -88,11 +88,11 @@ void number_versions(std::span<const MapPart> parts, const MapState* before, Map
   }
 }
 
-bool is_in_model_units(const QualityRequest& request) noexcept {
-  const auto in_model = [](const std::optional<QualityBound>& bound) {
-    return !bound || bound->unit == QualityUnit::kModel;
+bool are_same(const QualityRequest& a, const QualityRequest& b) noexcept {
+  const auto is_same = [](const std::optional<QualityBound>& x, const std::optional<QualityBound>& y) {
+    return x.has_value() == y.has_value() && (!x || (x->value == y->value && x->unit == y->unit));
   };
-  return !request.empty() && in_model(request.vde) && in_model(request.lfe) && in_model(request.max_error);
+  return is_same(a.vde, b.vde) && is_same(a.lfe, b.lfe) && is_same(a.max_error, b.max_error);
 }
 
 /// The positions of `mesh` relative to `origin`; none where they are already, or where that would round more
@@ -141,13 +141,13 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
   return guarded([&]() -> Result<MapState> {
     DELTAMESH_CHECK(validate(settings));
     DELTAMESH_CHECK(check_mesh(mesh));
-    const bool keeps =
-        before != nullptr && !before->bounds.empty() && !is_in_model_units(settings.quality.bounds);
     PartQuality quality = settings.quality;
+    const QualityRequest asked = before != nullptr && quality.bounds.empty() ? before->asked : quality.bounds;
+    const bool keeps = before != nullptr && !before->bounds.empty() && are_same(asked, before->asked);
     quality.bounds = keeps ? before->bounds
                      : mesh.triangles.empty()
                          ? QualityRequest{.max_error = QualityBound{settings.part_edge / 1024}}
-                         : request_of(mesh, settings.quality.bounds);
+                         : request_of(mesh, asked);
     ColorContent content;
     DELTAMESH_CHECK(content.add(mesh));
     quality.attributes = content.complete(std::move(quality.attributes));
@@ -167,6 +167,7 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
     for (;;) {
       auto state = encode_as(placed, description, options, quality, before);
       if (state && (keeps || !mesh.triangles.empty())) state->bounds = quality.bounds;
+      if (state) state->asked = asked;
       if (state) state->attributes = quality.attributes;
       if (!state && state.error().code == ErrorCode::kLimitExceeded && options.most_triangles > 1) {
         options.most_triangles /= 2;
@@ -190,6 +191,9 @@ Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options, std
     std::vector<PartKey> keys;
     keys.reserve(entries.size());
     for (const PartEntry& entry : entries) keys.push_back(entry.key);
+    if (level > top_level(keys))
+      return Error{.code = ErrorCode::kInvalidArgument,
+                   .message = "the map has no parts that show all of it on this level"};
     keys = keys_on_level(keys, level);
     std::vector<MapPart> parts;
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -16,6 +16,8 @@ grep -c '"level"' .out
 grep '"color_rms"' .out
 quiet map join levels.map coarse.ply --level 5
 status map join levels.map coarse.ply --level 25
+run map join levels.map coarse.ply --level 6
+run map join rooms.map coarse.ply --level 4
 rm -r levels.map coarse.ply
 cp -r rooms.map again.map
 quiet map split rooms.ply again.map --part-edge 2 --max-error 0.004 --color-error 4 --json
@@ -32,7 +34,14 @@ quiet generate rooms more.ply --vertices 9000
 quiet map split more.ply kept.map --part-edge 2 --json
 grep -E '"(revision|epoch)"' .out
 cmp kept.json kept.map/bounds.json && say "the same bounds"
-rm -r kept.map kept.json none.ply more.ply
+# Other bounds are obeyed; without any those from before are kept, and told.
+for ask in '--max-error 0.05' '--max-error 0.02%' '--max-error 0.02%' '' '--vde 0.01 --max-error none' '' '--lfe 0.05%'; do
+  quiet map split rooms.ply bounds.map --part-edge 2 $ask
+  say "$ask ->$(grep '^ *bounds' .out | tr -s ' ')"
+done
+echo damaged >bounds.map/bounds.json
+run map split rooms.ply bounds.map --part-edge 2
+rm -r kept.map kept.json none.ply more.ply bounds.map
 status map split rooms.ply other.map --part-edge 0
 status map split rooms.ply other.map
 status map split rooms.ply other.map --part-edge 1 --target-bytes 1000

@@ -21,9 +21,11 @@ namespace deltamesh {
 struct MapState {
   MapManifest manifest{};
   std::vector<std::vector<std::byte>> octets{};  ///< of every entry
-  /// What was asked of positions, in model units. A state before with it keeps these bounds, and so its
-  /// lattice, where settings say nothing or percents: however the mesh has grown. Empty: not known, or no
-  /// faces yet.
+  /// What was asked of positions, as it was asked: percents stay percents. Empty: nothing, or not known.
+  QualityRequest asked{};
+  /// That in model units, or what encode() has for the whole mesh where nothing was asked. A state before
+  /// with it keeps these bounds, and so its lattice, where settings ask the same again or nothing: however
+  /// the mesh has grown. Empty: not known, or no faces yet.
   QualityRequest bounds{};
   AttributeQuality attributes{};  ///< what was asked of attributes, and decided for colours
 };
@@ -38,8 +40,9 @@ struct MapSettings {
   /// Levels above that of the largest parts. With any, there are coarser copies on all levels above 0
   /// [MAP-19].
   std::uint8_t levels = 0;
-  /// Percentages count in the diagonal of the whole mesh, without stray vertices. Without bounds as encode()
-  /// has it, for the whole mesh. A mesh without faces has bounds for which any will do. Where nothing is said
+  /// Percentages count in the diagonal of the whole mesh, without stray vertices. Without bounds: those of
+  /// the state before, or as encode() has it, for the whole mesh; other bounds than those asked before
+  /// replace them, all of them. A mesh without faces has bounds for which any will do. Where nothing is said
   /// of colours, those of the whole mesh decide what all parts keep (ColorContent).
   PartQuality quality{};
 };
@@ -55,8 +58,8 @@ Result<void> validate(const MapSettings& settings) noexcept;
 Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
                             const MapState* before = nullptr) noexcept;
 
-/// The parts that show the map on a level (keys_on_level()) as one mesh. Errors: as MapCodec::decode() and
-/// join().
+/// The parts that show the map on a level (keys_on_level()) as one mesh. Errors: kInvalidArgument (a level
+/// above top_level()), as MapCodec::decode() and join().
 Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options = {},
                         std::uint8_t level = 0) noexcept;
 

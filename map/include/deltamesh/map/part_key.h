@@ -43,4 +43,8 @@ constexpr bool overlap(const PartKey& a, const PartKey& b) noexcept {
 /// ascending too. O(n log n).
 std::vector<PartKey> keys_on_level(std::span<const PartKey> keys, std::uint8_t level);
 
+/// The highest level on which parts show all that they show on level 0; on higher ones something is left out,
+/// as it has no coarser copy there. `keys`: likewise; 0 without any. O(n log n).
+std::uint8_t top_level(std::span<const PartKey> keys);
+
 }  // namespace deltamesh

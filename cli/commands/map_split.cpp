@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/map.h"
+#include "deltamesh/map/encode_map.h"
+#include "deltamesh/map/folder.h"
+#include "encode_options.h"
+#include "map_bounds_file.h"
+#include "map_files.h"
+#include "mesh_files.h"
+#include "option_numbers.h"
+#include "report/console.h"
+#include "report/losses.h"
+#include "report/map.h"
+#include "report/progress.h"
+
+namespace deltamesh::cli {
+namespace {
+
+struct Splitting {
+  std::string in;
+  std::string folder;
+  MapSettings settings;
+  FileOptions files;
+  bool json = false;
+};
+
+int run_split(const Splitting& splitting) {
+  if (const Result<void> valid = validate(splitting.settings); !valid)
+    return fail("map split", valid.error());
+  int status = kOk;
+  auto imported = load_faces(splitting.in, status, splitting.files);
+  if (!imported) return status;
+  imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
+  std::optional<MapState> before;
+  if (is_map(splitting.folder)) {
+    before = load_state(splitting.folder, status);
+    if (!before) return status;
+    if (const auto loaded = load_bounds(splitting.folder, *before); !loaded)
+      return fail(splitting.folder, loaded.error());
+  }
+  MapSettings settings = splitting.settings;
+  settings.quality.attributes.uv_error /= imported->report.uv_scale;
+  const auto encode = [&] {
+    const Progress progress("encoding");
+    return encode_map(imported->mesh, settings, before ? &*before : nullptr);
+  };
+  const Result<MapState> state = encode();
+  if (!state) return fail_coding(splitting.in, state.error());
+  std::vector<NewPart> parts;
+  for (std::size_t i = 0; i < state->octets.size(); ++i)
+    if (const PartEntry& entry = state->manifest.entries[i];
+        !before || entry.revision == state->manifest.revision)
+      parts.push_back({entry.key, entry.revision, state->octets[i]});
+  auto saved = save_map(splitting.folder, state->manifest, parts);
+  if (saved) saved = save_bounds(splitting.folder, *state);
+  if (!saved) return fail(splitting.folder, saved.error());
+  const double rounding =
+      imported->report.position_error + rounding_in_map(imported->mesh, state->manifest.description);
+  const MapUpdate update{
+      .new_parts = parts.size(),
+      .keeps_bounds = before && !before->bounds.empty() && bounds_text(*before) == bounds_text(*state),
+      .bounds = bounds_text(*state),
+      .color_rms = state->attributes.color_rms.value_or(0)};
+  if (splitting.json) {
+    auto object = map_object(state->manifest);
+    if (state->attributes.color_rms) object["color_rms"] = *state->attributes.color_rms;
+    object.update({{"new_parts", parts.size()},
+                   {"bounds", update.bounds},
+                   {"keeps_bounds", update.keeps_bounds},
+                   {"left_out", left_out_array(imported->report)},
+                   {"position_error", rounding},
+                   {"uv_scale", imported->report.uv_scale}});
+    print_json(object);
+  } else {
+    print_map(splitting.in + " -> " + splitting.folder, state->manifest, update);
+    print_rounding(rounding, report_stream({}));
+    print_stretch(imported->report.uv_scale, report_stream({}));
+    print_left_out(imported->report, report_stream({}));
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_map_split(CLI::App& map, int& status) {
+  const auto splitting = std::make_shared<Splitting>();
+  CLI::App* command = map.add_subcommand("split", "Make a map of a mesh file, or of a new version of it");
+  command->add_option("IN", splitting->in, std::string("mesh file: ") + kMeshSuffixes)->required();
+  command
+      ->add_option("DIR", splitting->folder,
+                   "folder of the map; where it holds one, that is brought up to date")
+      ->required();
+  command->add_option("--part-edge", splitting->settings.part_edge, "edge of the largest parts, model units")
+      ->required();
+  command
+      ->add_option("--part-triangles", splitting->settings.most_triangles,
+                   "parts with more are divided, down to an eighth of the edge")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--levels", splitting->settings.levels,
+          "coarser levels above the largest parts, each of cells of twice the edge; with any there are "
+          "coarser copies of smaller parts, too")
+      ->check(CLI::Range(0, 21))
+      ->capture_default_str();
+  command->add_option("--map-id", splitting->settings.id, "which map")
+      ->check(refuse_negative)
+      ->capture_default_str();
+  command->add_option("--frame", splitting->settings.frame, "name of the coordinate frame")
+      ->capture_default_str();
+  add_file_options(*command, splitting->files, true);
+  add_part_quality(*command, splitting->settings.quality);
+  command->add_flag("--json", splitting->json, "print one JSON object to standard output");
+  command->footer(
+      "Percentages count in the diagonal of the whole mesh when they are first asked for, and stay what they "
+      "were then, however the map grows. Where DIR holds a map, other bounds than those asked before replace "
+      "them, all of them; without any those from before are kept. Parts that stay as they are keep their "
+      "files.\n\n"
+      "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"
+      "Example:\n  deltamesh map split kitchen.ply kitchen.map --part-edge 2 --max-error 0.001\n");
+  command->callback([splitting, &status] { status = run_split(*splitting); });
+}
+
+}  // namespace deltamesh::cli
