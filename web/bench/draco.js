@@ -50,7 +50,7 @@ function copyOut(module, bytes, Array, fill) {
   return values;
 }
 
-/** A function that decodes, as DRACOLoader of three.js does. */
+/** A function that decodes, as DRACOLoader of three.js does; `memoryBytes()`: of its module. */
 export async function openDraco(wasmBinary) {
   const module = await createDecoderModule({ wasmBinary });
   const arrays = {
@@ -58,7 +58,7 @@ export async function openDraco(wasmBinary) {
     [module.DT_UINT16]: Uint16Array,
     [module.DT_FLOAT32]: Float32Array,
   };
-  return (bytes) => {
+  const decode = (bytes) => {
     const decoder = new module.Decoder();
     const mesh = new module.Mesh();
     const status = decoder.DecodeArrayToMesh(bytes, bytes.byteLength, mesh);
@@ -79,4 +79,5 @@ export async function openDraco(wasmBinary) {
     module.destroy(decoder);
     return decoded;
   };
+  return Object.assign(decode, { memoryBytes: () => module.HEAPU8.byteLength });
 }

@@ -4,7 +4,7 @@
 import { fork } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
-import { cold, warm } from './measure.js';
+import { cold, memory, warm } from './measure.js';
 
 export function measureInNode(message) {
   return new Promise((resolve, reject) => {
@@ -17,6 +17,7 @@ export function measureInNode(message) {
 
 if (process.argv[1] === fileURLToPath(import.meta.url) && process.argv[2] === 'measure') {
   process.once('message', async ({ kind, codec, streams, jobs, modules }) => {
-    process.send(kind === 'cold' ? await cold(codec, modules, streams) : await warm(jobs, modules), () => process.disconnect());
+    const measures = { cold: () => cold(codec, modules, streams), memory: () => memory(codec, modules, streams), warm: () => warm(jobs, modules) };
+    process.send(await measures[kind](), () => process.disconnect());
   });
 }

@@ -44,6 +44,22 @@ export async function cold(codec, modules, streams) {
   return { cold: first, 'cold, with the module': performance.now() - begin };
 }
 
+/** Of the modules, after `streams` are decoded, MiB. Only the first call in a process means anything. */
+export async function memory(codec, modules, streams) {
+  const made = [];
+  const { Memory } = WebAssembly;
+  WebAssembly.Memory = class extends Memory {
+    constructor(descriptor) {
+      super(descriptor);
+      made.push(this);
+    }
+  };
+  const decode = await openCodec(codec, modules, streams);
+  timeOf(decode, streams);
+  const bytes = decode.memoryBytes?.() ?? made.reduce((sum, { buffer }) => sum + buffer.byteLength, 0);
+  return bytes / 2 ** 20;
+}
+
 /** Medians of decodes in turn, milliseconds. `jobs`: by name, { codec, streams }. */
 export async function warm(jobs, modules) {
   const own = Object.values(jobs).flatMap(({ codec, streams }) => (codec === 'deltamesh' ? streams : []));

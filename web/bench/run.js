@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-// Sizes of the modules, and times of decoding beside Draco's module: node run.js [--quick] [FILE...]. See README.md.
+// Sizes of the modules, and memory and times of decoding beside Draco's module: node run.js [--quick] [FILE...]. See README.md.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
@@ -113,6 +113,17 @@ async function printTimes(where, measure, meshes, modules) {
     console.log(`${name}: geometric mean ${rounded(geometricMean(values))}, largest ${rounded(Math.max(...values))}`);
 }
 
+async function printMemory(meshes, modules) {
+  const ratios = [];
+  console.log("\nMemory of the modules after decoding, MiB, and times Draco's\n\n| mesh | Draco | lattice |\n|---|---|---|");
+  for (const [mesh, { draco, lattice }] of meshes) {
+    const [theirs, own] = [await measureInNode({ kind: 'memory', modules, ...draco }), await measureInNode({ kind: 'memory', modules, ...lattice })];
+    ratios.push(own / theirs);
+    console.log(`| ${mesh} | ${rounded(theirs)} | ${rounded(own)} (${rounded(own / theirs)}) |`);
+  }
+  console.log(`memory: geometric mean ${rounded(geometricMean(ratios))}, largest ${rounded(Math.max(...ratios))}`);
+}
+
 printSizes();
 const encoder = await createEncoder();
 const decoder = await createDecoder();
@@ -121,6 +132,7 @@ const meshes = new Map();
 for await (const { name, meshes: parts } of inputs(args.filter((arg) => !arg.startsWith('--'))))
   meshes.set(name, await streamsOf(parts, encoder, decoder, draco));
 const modules = Object.fromEntries(['core', 'highpass', 'rare', 'grid', 'zstd', 'draco'].map((name) => [name, bytesOf(name)]));
+await printMemory(meshes, modules);
 await printTimes(`node ${process.version}`, measureInNode, meshes, modules);
 if (hasChromium && !args.includes('--node')) {
   const chromium = await new Chromium().open();

@@ -77,10 +77,16 @@ class Growth {
     code_with_faces(coder_, brick, seed_place_, Corners(brick, seed_place_));
   }
 
-  /// First in, first out.
-  [[gnu::noinline]] void code_waiting() {
+  void code_waiting() {
+    while (!waiting_.empty() && broken_ == nullptr && !coder_.failed()) code_some();
+  }
+
+  /// First in, first out. In turns of some, like a loop's body: see DELTAMESH_LOOP_BODY.
+  [[gnu::noinline]] void code_some() {
+    constexpr unsigned kTurn = 256;
     Held<Coder> coder = coder_;
-    while (!waiting_.empty() && broken_ == nullptr && !coder.failed()) {
+    for (unsigned left = kTurn; left > 0 && !waiting_.empty() && broken_ == nullptr && !coder.failed();
+         --left) {
       const auto [brick, place] = waiting_.take();
       code_cube(coder, *brick, place);
     }

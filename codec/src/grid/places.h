@@ -12,6 +12,7 @@
 #include <span>
 
 #include "base/memory/large_vector.h"
+#include "base/small_code.h"
 #include "entropy/coder/held_coder.h"
 #include "entropy/coder/symbol_models.h"
 #include "grid/known/places.h"
@@ -90,7 +91,7 @@ class PlaceCoder {
     Cell cell;
   };
 
-  void code_brick(const Brick& brick, PlaceWindow& window, std::span<Cell> cells) {
+  DELTAMESH_LOOP_BODY void code_brick(const Brick& brick, PlaceWindow& window, std::span<Cell> cells) {
     Held<Coder> coder = coder_;
     for (int z = 0; z < kSide; ++z) {
       for (int y = 0; y < kSide; ++y) {

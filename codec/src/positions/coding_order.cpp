@@ -7,6 +7,9 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
+
+#include "base/small_code.h"
 
 namespace deltamesh {
 namespace {
@@ -77,46 +80,63 @@ class WaitingVertices {
   std::array<List, kClasses> lists_;
 };
 
-/// Any order but kAsDecoded. `known` is told of every vertex and its known faces.
-std::vector<std::uint32_t> placed_vertices(const FaceList& list, CodingOrder coding_order,
-                                           KnownFaces& known) {
-  constexpr std::uint8_t kPlaced = 255;
-  const FaceStars stars(list);
-  std::vector<std::uint32_t> order;
-  order.reserve(list.vertex_count);
-  std::vector<std::uint32_t> places(list.vertex_count);
-  std::vector<std::uint8_t> faces(list.vertex_count);  // with two placed corners, to kClasses; or kPlaced
-  WaitingVertices waiting(coding_order);
-  const auto rise = [&](std::uint32_t v) {
-    if (faces[v] < WaitingVertices::kClasses) waiting.add(v, ++faces[v]);
-  };
-  const auto place = [&](std::uint32_t v) {
-    const auto now = static_cast<std::uint32_t>(order.size());
-    order.push_back(v);
-    faces[v] = kPlaced;
-    const std::span<const FaceStars::Wing> wings = stars.of(v);
-    places[v] = now;
-    known.begin(now, static_cast<std::uint32_t>(wings.size()));
+/// Any order but kAsDecoded.
+class Placement {
+ public:
+  /// `known` is told of every vertex and its known faces.
+  Placement(const FaceList& list, CodingOrder coding_order, KnownFaces& known)
+      : stars_(list),
+        known_(known),
+        places_(list.vertex_count),
+        faces_(list.vertex_count),
+        waiting_(coding_order) {
+    order_.reserve(list.vertex_count);
+  }
+
+  std::vector<std::uint32_t> run() {
+    for (std::uint32_t start = 0; start < faces_.size(); ++start) {
+      if (faces_[start] == kPlaced) continue;
+      place(start);
+      while (const auto next = waiting_.take())
+        if (faces_[*next] != kPlaced) place(*next);
+    }
+    return std::move(order_);
+  }
+
+ private:
+  static constexpr std::uint8_t kPlaced = 255;
+
+  DELTAMESH_LOOP_BODY void place(std::uint32_t v) {
+    const auto now = static_cast<std::uint32_t>(order_.size());
+    order_.push_back(v);
+    faces_[v] = kPlaced;
+    const std::span<const FaceStars::Wing> wings = stars_.of(v);
+    places_[v] = now;
+    known_.begin(now, static_cast<std::uint32_t>(wings.size()));
     for (const FaceStars::Wing& wing : wings) {
-      const bool has_next = faces[wing.next] == kPlaced;
-      const bool has_previous = faces[wing.previous] == kPlaced;
+      const bool has_next = faces_[wing.next] == kPlaced;
+      const bool has_previous = faces_[wing.previous] == kPlaced;
       if (has_next && has_previous) {
-        known.add({now, places[wing.next], places[wing.previous]});
+        known_.add({now, places_[wing.next], places_[wing.previous]});
       } else if (has_next) {
         rise(wing.previous);
       } else if (has_previous) {
         rise(wing.next);
       }
     }
-  };
-  for (std::uint32_t start = 0; start < list.vertex_count; ++start) {
-    if (faces[start] == kPlaced) continue;
-    place(start);
-    while (const auto next = waiting.take())
-      if (faces[*next] != kPlaced) place(*next);
   }
-  return order;
-}
+
+  void rise(std::uint32_t v) {
+    if (faces_[v] < WaitingVertices::kClasses) waiting_.add(v, ++faces_[v]);
+  }
+
+  FaceStars stars_;
+  KnownFaces& known_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> places_;
+  std::vector<std::uint8_t> faces_;  ///< with two placed corners, to kClasses; or kPlaced
+  WaitingVertices waiting_;
+};
 
 }  // namespace
 
@@ -124,7 +144,7 @@ KnownFaces known_in_order(const FaceList& list, CodingOrder coding_order, std::v
   order.clear();
   if (coding_order == CodingOrder::kAsDecoded) return KnownFaces(list);
   KnownFaces known(list.vertex_count, count_with_faces(list));
-  order = placed_vertices(list, coding_order, known);
+  order = Placement(list, coding_order, known).run();
   return known;
 }
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 
+#include "base/small_code.h"
 #include "base/threads/thread_team.h"
 #include "base/union_find.h"
 
@@ -57,23 +58,29 @@ Adjacency tidy(const Adjacency& graph) {
   Adjacency sorted;
   sorted.offsets.assign(graph.offsets.size(), 0);
   LargeVector<std::uint32_t> last(vertex_count, kNone);
-  for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    for (const std::uint32_t w : graph.of(v)) {
-      sorted.offsets[w + 1] += last[w] != v ? 1 : 0;
-      last[w] = v;
+  in_turns(vertex_count, [&, counts = sorted.offsets.data() + 1, last = last.data()](std::uint32_t begin,
+                                                                                     std::uint32_t end) {
+    for (std::uint32_t v = begin; v < end; ++v) {
+      for (const std::uint32_t w : graph.of(v)) {
+        counts[w] += last[w] != v ? 1 : 0;
+        last[w] = v;
+      }
     }
-  }
+  });
   sum_up(sorted.offsets);
   sorted.neighbors.resize(sorted.offsets.back());
-  LargeVector<std::uint32_t> end(sorted.offsets.begin(), sorted.offsets.end() - 1);
+  LargeVector<std::uint32_t> ends(sorted.offsets.begin(), sorted.offsets.end() - 1);
   last.assign(vertex_count, kNone);
-  for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    for (const std::uint32_t w : graph.of(v)) {
-      end[w] += last[w] != v ? 1 : 0;
-      sorted.neighbors[end[w] - 1] = v;  // once more where it was there
-      last[w] = v;
+  in_turns(vertex_count, [&, rows = sorted.neighbors.data(), ends = ends.data(), last = last.data()](
+                             std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t v = begin; v < end; ++v) {
+      for (const std::uint32_t w : graph.of(v)) {
+        ends[w] += last[w] != v ? 1 : 0;
+        rows[ends[w] - 1] = v;  // once more where it was there
+        last[w] = v;
+      }
     }
-  }
+  });
   return sorted;
 }
 

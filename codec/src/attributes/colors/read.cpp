@@ -4,6 +4,7 @@
 #include "attributes/colors/colors.h"
 #include "attributes/colors/fields.h"
 #include "base/byte_reader.h"
+#include "base/small_code.h"
 #include "base/try.h"
 #include "entropy/coder/held_coder.h"
 #include "entropy/coder/reader.h"
@@ -37,10 +38,11 @@ Result<ColorFields> read_fields(ByteReader& in, ComponentType type, unsigned com
 
 }  // namespace
 
-Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes, ComponentType type,
-                                                   unsigned components, const AttributeSurface& surface,
-                                                   const Learning<ColorModels>& learning,
-                                                   const Attribute* known) {
+DELTAMESH_APART Result<std::vector<std::byte>> read_surface_colors(std::span<const std::byte> bytes,
+                                                                   ComponentType type, unsigned components,
+                                                                   const AttributeSurface& surface,
+                                                                   const Learning<ColorModels>& learning,
+                                                                   const Attribute* known) {
   constexpr std::uint32_t kVerticesAtOnce = 1024;
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const ColorFields fields, read_fields(in, type, components));

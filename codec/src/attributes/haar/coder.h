@@ -16,6 +16,7 @@
 #include "attributes/haar/steps.h"
 #include "attributes/haar/surroundings.h"
 #include "base/memory/large_vector.h"
+#include "base/small_code.h"
 #include "entropy/coder/held_coder.h"
 
 namespace deltamesh {
@@ -78,17 +79,19 @@ class HaarCoder {
     const HaarLevel& fine = levels_[l - 1];
     const HaarNeighborhood neighborhood(fine, records.data());
     const LargeVector<HaarChildren>& children = levels_[l].children;
-    Held<Coder> held = coder_;
-    for (std::uint32_t i = 0; i < children.size(); ++i) {
-      const HaarChildren& pair = children[i];
-      if (pair.second == HaarChildren::kNone) continue;
-      if (held.failed()) break;
-      const HaarSurroundings around = neighborhood.template look<kAxes>(pair, parents[i]);
-      HaarRecord& first = records[pair.first];
-      HaarRecord& second = records[pair.second];
-      split_pair(held, around, parents[i], {l, i}, pair, first, second);
-    }
-    write_back<Coder>(held, coder_);
+    in_turns(static_cast<std::uint32_t>(children.size()), [&](std::uint32_t begin, std::uint32_t end) {
+      Held<Coder> held = coder_;
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const HaarChildren& pair = children[i];
+        if (pair.second == HaarChildren::kNone) continue;
+        if (held.failed()) break;
+        const HaarSurroundings around = neighborhood.template look<kAxes>(pair, parents[i]);
+        HaarRecord& first = records[pair.first];
+        HaarRecord& second = records[pair.second];
+        split_pair(held, around, parents[i], {l, i}, pair, first, second);
+      }
+      write_back<Coder>(held, coder_);
+    });
   }
 
   struct NodeId {

@@ -3,6 +3,7 @@
 #include "attributes/normals/normals.h"
 #include "attributes/normals/traversal.h"
 #include "base/byte_reader.h"
+#include "base/small_code.h"
 #include "base/try.h"
 #include "entropy/coder/reader.h"
 #include "format/chunk/tags.h"
@@ -37,8 +38,8 @@ Result<NormalParameters> read_parameters(ByteReader& in, const AttributeSurface&
 
 }  // namespace
 
-Result<std::vector<float>> read_surface_normals(std::span<const std::byte> bytes,
-                                                const AttributeSurface& surface) {
+DELTAMESH_APART Result<std::vector<float>> read_surface_normals(std::span<const std::byte> bytes,
+                                                                const AttributeSurface& surface) {
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const NormalParameters parameters, read_parameters(in, surface));
   DELTAMESH_TRY(const auto rest, in.read_bytes(in.remaining()));

@@ -5,6 +5,7 @@
 #include "attributes/tangents/coder.h"
 #include "attributes/tangents/tangents.h"
 #include "base/byte_reader.h"
+#include "base/small_code.h"
 #include "base/try.h"
 #include "entropy/coder/reader.h"
 #include "format/chunk/tags.h"
@@ -35,8 +36,9 @@ TangentBasis tangent_basis(std::span<const Attribute> decoded, std::uint32_t ver
           .uvs = first_floats(decoded, AttributeKind::kUv, 2, vertex_count)};
 }
 
-Result<std::vector<float>> read_surface_tangents(std::span<const std::byte> bytes,
-                                                 const AttributeSurface& surface, const TangentBasis& basis) {
+DELTAMESH_APART Result<std::vector<float>> read_surface_tangents(std::span<const std::byte> bytes,
+                                                                 const AttributeSurface& surface,
+                                                                 const TangentBasis& basis) {
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const auto step, in.read<float>());
   if (!(step >= kLeastTangentStep && step <= kMostTangentStep))

@@ -3,6 +3,7 @@
 #include "attributes/uvs/coder.h"
 #include "attributes/uvs/uvs.h"
 #include "base/byte_reader.h"
+#include "base/small_code.h"
 #include "base/try.h"
 #include "entropy/coder/reader.h"
 #include "format/chunk/tags.h"
@@ -15,8 +16,8 @@ struct NoUvChoice {};
 
 }  // namespace
 
-Result<std::vector<float>> read_surface_uvs(std::span<const std::byte> bytes,
-                                            const AttributeSurface& surface) {
+DELTAMESH_APART Result<std::vector<float>> read_surface_uvs(std::span<const std::byte> bytes,
+                                                            const AttributeSurface& surface) {
   ByteReader in(bytes, kTagAttribute);
   DELTAMESH_TRY(const auto step, in.read<float>());
   if (!(step >= kLeastUvStep && step <= kMostUvStep))

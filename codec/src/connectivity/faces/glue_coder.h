@@ -16,6 +16,7 @@
 
 #include "base/memory/large_vector.h"
 #include "base/numbers/zigzag.h"
+#include "base/small_code.h"
 #include "connectivity/faces/cut.h"
 #include "entropy/coder/model.h"
 #include "entropy/coder/number_model.h"
@@ -122,26 +123,31 @@ class GlueCoder {
   /// `stop`. Once. O(faces log faces).
   template <class Stop>
   bool code(std::span<std::uint32_t> vertex, Stop stop) {
-    const std::span<const std::uint32_t> faces = faces_;
-    for (std::size_t f = 0; f < faces.size(); f += 3) {
-      std::array<std::uint32_t, 3> face{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t manifold = faces[f + k];
-        if (manifold == glued_.size()) {
-          const auto guesses = k == 2 ? edges_.guess(face[0], face[1]) : EdgeApexes::Guesses{};
-          const unsigned glued_ends = k == 2 ? glued_[faces[f]] + glued_[faces[f + 1]] : 0U;
-          if (!code_vertex(vertex[manifold], guesses, glued_ends) || stop()) return false;
-        }
-        face[k] = vertex[manifold];
-      }
-      edges_.add(face);
-    }
+    for (std::size_t f = 0; f < faces_.size(); f += 3)
+      if (!code_face(faces_.subspan(f, 3), vertex, stop)) return false;
     return true;
   }
 
   std::uint32_t glued_count() const noexcept { return static_cast<std::uint32_t>(glued_.size()) - fresh_; }
 
  private:
+  template <class Stop>
+  DELTAMESH_LOOP_BODY bool code_face(std::span<const std::uint32_t> corners, std::span<std::uint32_t> vertex,
+                                     Stop stop) {
+    std::array<std::uint32_t, 3> face{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t manifold = corners[k];
+      if (manifold == glued_.size()) {
+        const auto guesses = k == 2 ? edges_.guess(face[0], face[1]) : EdgeApexes::Guesses{};
+        const unsigned glued_ends = k == 2 ? glued_[corners[0]] + glued_[corners[1]] : 0U;
+        if (!code_vertex(vertex[manifold], guesses, glued_ends) || stop()) return false;
+      }
+      face[k] = vertex[manifold];
+    }
+    edges_.add(face);
+    return true;
+  }
+
   bool code_vertex(std::uint32_t& vertex, const EdgeApexes::Guesses& guesses, unsigned glued_ends) {
     const unsigned known = (guesses.same != kNoIndex ? 1U : 0U) + (guesses.mirrored != kNoIndex ? 2U : 0U);
     const bool glued = coder_.bit(vertex != fresh_, is_glued_[glued_ends * 4 + known]);

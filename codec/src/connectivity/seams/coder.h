@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "base/small_code.h"
 #include "connectivity/seams/corner_copies.h"
 #include "entropy/coder/model.h"
 #include "entropy/coder/number_model.h"
@@ -96,12 +97,7 @@ class SeamCoder {
       const Face face{{geometric_triangles[f], geometric_triangles[f + 1], geometric_triangles[f + 2]},
                       &copies.of_corner[f]};
       if (is_unsplit(face)) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        std::uint32_t& count = copies.of_vertex[face.vertex[k]];
-        if (slot_[face.vertex[k]] == kUnseen && !code_count(face, k, count)) return "SEAM-6";
-        if (!code_corner(face, k)) return "SEAM-8";
-      }
-      join_edges(face);
+      if (const char* const broken = code_face(face, copies.of_vertex); broken != nullptr) return broken;
     }
     if (extra_left_ != 0) return "SEAM-6";
     const bool all_used = std::all_of(split_.begin(), split_.end(),
@@ -123,6 +119,16 @@ class SeamCoder {
   /// State of the other end of an edge at a corner [SEAM-7].
   enum Across : std::uint32_t { kNoFace, kUnsplitEnd, kLaterEnd, kSameEnd, kSplitEnd, kAcrossKinds };
   enum Choice : std::uint32_t { kAhead, kBehind, kNew, kNamed };
+
+  DELTAMESH_LOOP_BODY const char* code_face(const Face& face, std::span<std::uint32_t> counts) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = face.vertex[k];
+      if (slot_[v] == kUnseen && !code_count(face, k, counts[v])) return "SEAM-6";
+      if (!code_corner(face, k)) return "SEAM-8";
+    }
+    join_edges(face);
+    return nullptr;
+  }
 
   /// Whether its corners are known to have one copy each.
   bool is_unsplit(const Face& face) const noexcept {

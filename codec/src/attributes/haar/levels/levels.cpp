@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "attributes/haar/levels/pairing.h"
+#include "base/small_code.h"
 
 namespace deltamesh {
 namespace {
@@ -30,21 +31,27 @@ Adjacency join_graph(const HaarLevel& fine, const LargeVector<HaarChildren>& chi
   graph.neighbors.resize(fine.graph.neighbors.size());
   LargeVector<std::uint32_t> last_seen_by(children.size(), HaarChildren::kNone);
   std::uint32_t end = 0;
-  for (std::uint32_t i = 0; i < children.size(); ++i) {
-    graph.offsets[i] = end;
-    last_seen_by[i] = i;
-    for (const std::uint32_t child : {children[i].first, children[i].second}) {
-      if (child == HaarChildren::kNone) break;
-      for (const std::uint32_t neighbor : fine.graph.of(child)) {
-        const std::uint32_t j = parents[neighbor];
-        // Overwritten where it was there already: a branch would often go wrong.
-        graph.neighbors[end] = j;
-        end += last_seen_by[j] != i ? 1 : 0;
-        last_seen_by[j] = i;
-      }
-    }
-    end = std::min(end, graph.offsets[i] + kMostHaarNeighbors);
-  }
+  in_turns(static_cast<std::uint32_t>(children.size()),
+           [&, last_seen_by = last_seen_by.data(), neighbors = graph.neighbors.data()](std::uint32_t first,
+                                                                                       std::uint32_t last) {
+             std::uint32_t next = end;
+             for (std::uint32_t i = first; i < last; ++i) {
+               graph.offsets[i] = next;
+               last_seen_by[i] = i;
+               for (const std::uint32_t child : {children[i].first, children[i].second}) {
+                 if (child == HaarChildren::kNone) break;
+                 for (const std::uint32_t neighbor : fine.graph.of(child)) {
+                   const std::uint32_t j = parents[neighbor];
+                   // Overwritten where it was there already: a branch would often go wrong.
+                   neighbors[next] = j;
+                   next += last_seen_by[j] != i ? 1 : 0;
+                   last_seen_by[j] = i;
+                 }
+               }
+               next = std::min(next, graph.offsets[i] + kMostHaarNeighbors);
+             }
+             end = next;
+           });
   graph.offsets.back() = end;
   graph.neighbors.resize(end);
   return graph;
@@ -61,20 +68,24 @@ HaarLevel first_haar_level(const AttributeSurface& surface) {
   level.graph.offsets.resize(std::size_t{n} + 1);
   level.graph.neighbors.reserve(graph.neighbors.size());
   level.graph.offsets[0] = 0;
-  for (std::uint32_t v = 0; v < n; ++v) {
-    level.nodes[v] = {.place = places[v], .weight = 1};
-    std::uint32_t room = kMostHaarNeighbors;
-    const auto add = [&](std::span<const std::uint32_t> more) {
-      more = more.first(std::min<std::size_t>(more.size(), room));
-      room -= static_cast<std::uint32_t>(more.size());
-      level.graph.neighbors.insert(level.graph.neighbors.end(), more.begin(), more.end());
-    };
-    const auto is_copy = [&](std::uint32_t u) { return surface.geometric_of(u) == surface.geometric_of(v); };
-    if (v > 0 && is_copy(v - 1)) add(std::array{v - 1});
-    if (v + 1 < n && is_copy(v + 1)) add(std::array{v + 1});
-    add(graph.of(v));
-    level.graph.offsets[v + 1] = static_cast<std::uint32_t>(level.graph.neighbors.size());
-  }
+  in_turns(n, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t v = begin; v < end; ++v) {
+      level.nodes[v] = {.place = places[v], .weight = 1};
+      std::uint32_t room = kMostHaarNeighbors;
+      const auto add = [&](std::span<const std::uint32_t> more) {
+        more = more.first(std::min<std::size_t>(more.size(), room));
+        room -= static_cast<std::uint32_t>(more.size());
+        level.graph.neighbors.insert(level.graph.neighbors.end(), more.begin(), more.end());
+      };
+      const auto is_copy = [&](std::uint32_t u) {
+        return surface.geometric_of(u) == surface.geometric_of(v);
+      };
+      if (v > 0 && is_copy(v - 1)) add(std::array{v - 1});
+      if (v + 1 < n && is_copy(v + 1)) add(std::array{v + 1});
+      add(graph.of(v));
+      level.graph.offsets[v + 1] = static_cast<std::uint32_t>(level.graph.neighbors.size());
+    }
+  });
   return level;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "attributes/haar/log_class.h"
+#include "base/small_code.h"
 
 namespace deltamesh {
 namespace {
@@ -24,19 +25,21 @@ static_assert(kMostHaarNeighbors <= 1U << kPlaceBits);
 /// list: so costs are compared, and of equal ones places.
 LargeVector<std::uint32_t> joining_costs(const HaarLevel& level) {
   LargeVector<std::uint32_t> costs(level.graph.neighbors.size());
-  std::uint32_t* next = costs.data();
-  for (std::uint32_t i = 0; i < level.nodes.size(); ++i) {
-    // With the weight turned round, the difference to another node has the sum of the weights.
-    constexpr FourInts kWeight = {0, 0, 0, -1};
-    const FourInts node = (level.nodes[i].lanes() ^ kWeight) - kWeight;
-    std::uint32_t place = 0;
-    for (const std::uint32_t j : level.graph.of(i)) {
-      const FourInts difference = level.nodes[j].lanes() - node;
-      const double weight = low_doubles(pick_lanes<2, 3, 2, 3>(difference))[1];
-      const std::uint32_t cost = log_class<8>(squared_distance(difference) + 1) + log_class<8>(weight);
-      *next++ = cost << kPlaceBits | place++;
+  in_turns(static_cast<std::uint32_t>(level.nodes.size()), [&](std::uint32_t begin, std::uint32_t end) {
+    std::uint32_t* next = costs.data() + level.graph.offsets[begin];
+    for (std::uint32_t i = begin; i < end; ++i) {
+      // With the weight turned round, the difference to another node has the sum of the weights.
+      constexpr FourInts kWeight = {0, 0, 0, -1};
+      const FourInts node = (level.nodes[i].lanes() ^ kWeight) - kWeight;
+      std::uint32_t place = 0;
+      for (const std::uint32_t j : level.graph.of(i)) {
+        const FourInts difference = level.nodes[j].lanes() - node;
+        const double weight = low_doubles(pick_lanes<2, 3, 2, 3>(difference))[1];
+        const std::uint32_t cost = log_class<8>(squared_distance(difference) + 1) + log_class<8>(weight);
+        *next++ = cost << kPlaceBits | place++;
+      }
     }
-  }
+  });
   return costs;
 }
 
