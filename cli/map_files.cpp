@@ -6,20 +6,73 @@
 #include <system_error>
 #include <utility>
 
+#include "deltamesh/map/folder.h"
+#include "deltamesh/map/map_codec.h"
 #include "report/console.h"
 #include "report/map.h"
 
 namespace deltamesh::cli {
+namespace {
+
+const std::string kMend = "; `deltamesh map split` of the same mesh writes it again";
+
+ExitCode fail_part(const std::string& folder, const PartEntry& entry, const Error& error) {
+  print_error(folder + ", part of " + key_text(entry.key), describe(error) + kMend);
+  return exit_code_of(error.code);
+}
+
+}  // namespace
 
 bool is_map(const std::string& folder) {
   std::error_code ignored;
   return std::filesystem::exists(std::filesystem::path(folder) / "map.dmm", ignored);
 }
 
+bool refuse_map(const std::string& path, const char* instead) {
+  if (!is_map(path)) return false;
+  print_error(path, std::string("this is a map's folder, not a stream; use `deltamesh ") + instead + '`');
+  return true;
+}
+
+int check_files(const std::string& folder, const MapManifest& manifest) {
+  int status = kOk;
+  for (const PartEntry& entry : manifest.entries) {
+    const auto file = std::filesystem::path(folder) / part_file(entry.key, entry.revision, entry.hash);
+    std::error_code failed;
+    if (std::filesystem::file_size(file, failed) == entry.bytes && !failed) continue;
+    print_error(file.string(), (failed ? "this part is missing" : "this part is damaged") + kMend);
+    status = kBadInput;
+  }
+  return status;
+}
+
+int verify_map(const std::string& folder) {
+  int status = kOk;
+  const auto manifest = load_manifest(folder, status);
+  if (!manifest) return status;
+  const auto codec = MapCodec::open(manifest->description);
+  if (!codec) return fail(folder, codec.error());
+  for (const PartEntry& entry : manifest->entries) {
+    const auto octets = load_part(folder, entry);
+    const auto part = octets ? codec->decode(entry.key, *octets) : Result<MapPart>(octets.error());
+    if (!part) status = fail_part(folder, entry, part.error());
+  }
+  if (status == kOk)
+    std::cout << folder << ": ok, " << counted(manifest->entries.size(), "part", "parts") << '\n';
+  return status;
+}
+
 std::optional<MapManifest> load_manifest(const std::string& folder, int& status) {
+  if (!is_map(folder)) {
+    print_error(folder, "no map is here: there is no file map.dmm");
+    status = kBadInput;
+    return std::nullopt;
+  }
   auto manifest = load_map(folder);
   if (manifest) return *std::move(manifest);
-  status = fail((std::filesystem::path(folder) / "map.dmm").string(), manifest.error());
+  print_error((std::filesystem::path(folder) / "map.dmm").string(),
+              describe(manifest.error()) + "; parts alone are no map: delete the folder and make it anew");
+  status = exit_code_of(manifest.error().code);
   return std::nullopt;
 }
 
@@ -30,7 +83,7 @@ std::optional<MapState> load_state(const std::string& folder, int& status) {
   for (const PartEntry& entry : state.manifest.entries) {
     auto octets = load_part(folder, entry);
     if (!octets) {
-      status = fail(folder + ", part of " + key_text(entry.key), octets.error());
+      status = fail_part(folder, entry, octets.error());
       return std::nullopt;
     }
     state.octets.push_back(*std::move(octets));

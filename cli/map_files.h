@@ -14,6 +14,15 @@ namespace deltamesh::cli {
 /// Whether the folder has a manifest.
 bool is_map(const std::string& folder);
 
+/// Whether the path is a map's folder, which a command on streams cannot take: says so, and what will do.
+bool refuse_map(const std::string& path, const char* instead);
+
+/// Names every part whose file is not there, or not as long as it should be. Returns the exit code.
+int check_files(const std::string& folder, const MapManifest& manifest);
+
+/// Reads and decodes all parts and names every one that is at fault. Returns the exit code.
+int verify_map(const std::string& folder);
+
 /// On failure print why and leave the exit code in `status`.
 std::optional<MapManifest> load_manifest(const std::string& folder, int& status);
 /// With the octets of all parts, without bounds.

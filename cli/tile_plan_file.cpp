@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "deltamesh/io.h"
+#include "option_numbers.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -30,7 +31,7 @@ PartKey key_of(const Json& json) { return {json.at(0), json.at(1), json.at(2), j
 Json json_of(const PartQuality& quality) {
   Json json;
   const auto put = [&](const char* name, const std::optional<QualityBound>& bound) {
-    if (bound) json[name] = bound->value;
+    if (bound) json[name] = text_of(*bound);
   };
   put("vde", quality.bounds.vde);
   put("lfe", quality.bounds.lfe);
@@ -53,7 +54,7 @@ Json json_of(const PartQuality& quality) {
 PartQuality quality_of(const Json& json) {
   PartQuality quality;
   const auto get = [&](const char* name, std::optional<QualityBound>& bound) {
-    if (json.contains(name)) bound = QualityBound{json.at(name).get<double>()};
+    if (json.contains(name)) bound = parse_bound(json.at(name).get<std::string>()).value();
   };
   get("vde", quality.bounds.vde);
   get("lfe", quality.bounds.lfe);
@@ -75,7 +76,11 @@ PartQuality quality_of(const Json& json) {
 }  // namespace
 
 Result<void> save_plan(const std::string& folder, const FiledPlan& plan) {
-  Json json = {{"files", plan.files}, {"quality", json_of(plan.plan.quality)}};
+  Json json = {{"files", plan.files},
+               {"quality", json_of(plan.plan.quality)},
+               {"drop_invalid", plan.drop_invalid},
+               {"revision", plan.plan.revision},
+               {"group", plan.plan.group}};
   json["parts"] = Json::array();
   for (const PartKey& key : plan.plan.parts) json["parts"].push_back(json_of(key));
   json["tiles"] = Json::array();
@@ -93,6 +98,11 @@ Result<void> save_plan(const std::string& folder, const FiledPlan& plan) {
   return write_file(path_of(folder, "plan.json"), bytes_of(json.dump(1) + '\n'));
 }
 
+bool has_plan(const std::string& folder) {
+  std::error_code ignored;
+  return fs::exists(path_of(folder, "plan.json"), ignored);
+}
+
 Result<FiledPlan> load_plan(const std::string& folder) {
   const auto text = read_file(path_of(folder, "plan.json"));
   if (!text) return text.error();
@@ -107,6 +117,9 @@ Result<FiledPlan> load_plan(const std::string& folder) {
     const Json json = Json::parse(first, first + text->size());
     plan.files = json.at("files").get<std::vector<std::string>>();
     plan.plan.quality = quality_of(json.at("quality"));
+    plan.drop_invalid = json.at("drop_invalid");
+    plan.plan.revision = json.at("revision");
+    plan.plan.group = json.at("group");
     for (const Json& key : json.at("parts")) plan.plan.parts.push_back(key_of(key));
     for (const Json& tile : json.at("tiles"))
       plan.plan.tiles.push_back({key_of(tile.at("cell")), tile.at("triangles"),

@@ -16,10 +16,13 @@ namespace deltamesh::cli {
 struct FiledPlan {
   TilePlan plan;
   std::vector<std::string> files;  ///< of the meshes, by number
+  bool drop_invalid = false;       ///< as ReadOptions, for all of them
 };
 
 /// Replaces the plan that a folder has, and forgets which tiles were done. Errors: kFileWrite, kOutOfMemory.
 Result<void> save_plan(const std::string& folder, const FiledPlan& plan);
+
+bool has_plan(const std::string& folder);
 
 /// Errors: kFileOpen, kFileRead, kCorrupt (no plan).
 Result<FiledPlan> load_plan(const std::string& folder);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "commands/commands.h"
+#include "map_files.h"
 #include "mesh_files.h"
 #include "report/console.h"
 #include "report/losses.h"
@@ -24,6 +25,7 @@ struct DecodeArguments {
 
 int run_decode(const DecodeArguments& arguments) {
   int status = kOk;
+  if (refuse_map(arguments.in, "map join")) return kBadInput;
   if (!check_mesh_suffix(arguments.out, status, arguments.files) ||
       !check_keeps_input(arguments.in, arguments.out, status))
     return status;

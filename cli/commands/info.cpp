@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "deltamesh/stream_info.h"
+#include "map_files.h"
 #include "mesh_files.h"
 #include "report/attributes.h"
 #include "report/console.h"
@@ -93,6 +94,7 @@ void print_object(const StreamInfo& info) {
 }
 
 int run_info(const InfoArguments& arguments) {
+  if (refuse_map(arguments.file, "map info")) return kBadInput;
   const Result<std::vector<std::byte>> bytes = read_input(arguments.file);
   if (!bytes) return fail(arguments.file, bytes.error());
   const Result<StreamInfo> info = inspect(*bytes);

@@ -3,6 +3,7 @@
 #include "commands/map.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -37,7 +38,12 @@ int run_join(const Folders& folders) {
   }
   const Result<Mesh> mesh = decode_map(*state, {}, folders.level);
   if (!mesh) return fail(folders.first, mesh.error());
-  return save_mesh(folders.second, *mesh, folders.files);
+  status = save_mesh(folders.second, *mesh, folders.files);
+  if (status != kOk) return status;
+  report_stream(folders.second) << folders.first << " -> " << folders.second << ": "
+                                << counted(mesh->vertex_count(), "vertex", "vertices") << ", "
+                                << counted(mesh->triangle_count(), "triangle", "triangles") << '\n';
+  return kOk;
 }
 
 int run_map_info(const Folders& folders) {
@@ -48,7 +54,7 @@ int run_map_info(const Folders& folders) {
     print_json(map_object(*manifest));
   else
     print_map(folders.first + ": deltamesh map", *manifest);
-  return kOk;
+  return check_files(folders.first, *manifest);
 }
 
 int run_diff(const Folders& folders) {
@@ -57,6 +63,7 @@ int run_diff(const Folders& folders) {
   if (!before) return status;
   const auto after = load_manifest(folders.second, status);
   if (!after) return status;
+  status = std::max(check_files(folders.first, *before), check_files(folders.second, *after));
   const bool is_same_epoch = before->description == after->description;
   const auto list = map_differences(*before, *after);
   std::uint64_t bytes = 0;
@@ -75,13 +82,13 @@ int run_diff(const Folders& folders) {
             (is_removed ? "" : ", " + counted(entry->bytes, "byte", "bytes")) + '\n';
   }
   object["bytes"] = bytes;
-  if (folders.json) return print_json(object), kOk;
+  if (folders.json) return print_json(object), status;
   Summary summary(folders.first + " -> " + folders.second);
   summary.add("what all parts share", is_same_epoch ? "is the same" : "is not the same");
   summary.add("differences", counted(list.size(), "part", "parts") + ", " + counted(bytes, "byte", "bytes"));
   summary.print();
   std::fputs(text.c_str(), stdout);
-  return kOk;
+  return status;
 }
 
 void add_folders(CLI::App& map, int& status, const char* name, const char* what, const char* second,

@@ -39,8 +39,9 @@ int run_split(const Splitting& splitting) {
   imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
   std::optional<MapState> before;
   if (is_map(splitting.folder)) {
-    before = load_state(splitting.folder, status);
-    if (!before) return status;
+    auto manifest = load_manifest(splitting.folder, status);
+    if (!manifest) return status;
+    before.emplace(MapState{.manifest = *std::move(manifest)});
     if (const auto loaded = load_bounds(splitting.folder, *before); !loaded)
       return fail(splitting.folder, loaded.error());
   }
@@ -52,25 +53,28 @@ int run_split(const Splitting& splitting) {
   };
   const Result<MapState> state = encode();
   if (!state) return fail_coding(splitting.in, state.error());
+  MapUpdate update{
+      .keeps_bounds = before && !before->bounds.empty() && bounds_text(*before) == bounds_text(*state),
+      .bounds = bounds_text(*state),
+      .color_rms = state->attributes.color_rms.value_or(0)};
   std::vector<NewPart> parts;
-  for (std::size_t i = 0; i < state->octets.size(); ++i)
-    if (const PartEntry& entry = state->manifest.entries[i];
-        !before || entry.revision == state->manifest.revision)
-      parts.push_back({entry.key, entry.revision, state->octets[i]});
+  for (std::size_t i = 0; i < state->octets.size(); ++i) {
+    const PartEntry& entry = state->manifest.entries[i];
+    const bool is_new = !before || entry.revision > before->manifest.revision;
+    if (!is_new && load_part(splitting.folder, entry)) continue;
+    parts.push_back({entry.key, entry.revision, state->octets[i]});
+    ++(is_new ? update.new_parts : update.mended_parts);
+  }
   auto saved = save_map(splitting.folder, state->manifest, parts);
   if (saved) saved = save_bounds(splitting.folder, *state);
   if (!saved) return fail(splitting.folder, saved.error());
   const double rounding =
       imported->report.position_error + rounding_in_map(imported->mesh, state->manifest.description);
-  const MapUpdate update{
-      .new_parts = parts.size(),
-      .keeps_bounds = before && !before->bounds.empty() && bounds_text(*before) == bounds_text(*state),
-      .bounds = bounds_text(*state),
-      .color_rms = state->attributes.color_rms.value_or(0)};
   if (splitting.json) {
     auto object = map_object(state->manifest);
     if (state->attributes.color_rms) object["color_rms"] = *state->attributes.color_rms;
-    object.update({{"new_parts", parts.size()},
+    object.update({{"new_parts", update.new_parts},
+                   {"mended_parts", update.mended_parts},
                    {"bounds", update.bounds},
                    {"keeps_bounds", update.keeps_bounds},
                    {"left_out", left_out_array(imported->report)},
@@ -108,7 +112,7 @@ void add_map_split(CLI::App& map, int& status) {
           "coarser levels above the largest parts, each of cells of twice the edge; with any there are "
           "coarser copies of smaller parts, too")
       ->check(CLI::Range(0, 21))
-      ->capture_default_str();
+      ->default_str("0");
   command->add_option("--map-id", splitting->settings.id, "which map")
       ->check(refuse_negative)
       ->capture_default_str();
@@ -121,7 +125,7 @@ void add_map_split(CLI::App& map, int& status) {
       "Percentages count in the diagonal of the whole mesh when they are first asked for, and stay what they "
       "were then, however the map grows. Where DIR holds a map, other bounds than those asked before replace "
       "them, all of them; without any those from before are kept. Parts that stay as they are keep their "
-      "files.\n\n"
+      "files; those whose file is missing or damaged are written again.\n\n"
       "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"
       "Example:\n  deltamesh map split kitchen.ply kitchen.map --part-edge 2 --max-error 0.001\n");
   command->callback([splitting, &status] { status = run_split(*splitting); });

@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/stream_info.h"
+#include "map_files.h"
 #include "mesh_files.h"
 #include "report/console.h"
 #include "report/progress.h"
@@ -21,6 +22,7 @@ Result<void> verify_showing_progress(std::span<const std::byte> bytes) {
 }
 
 int run_verify(const std::string& file) {
+  if (is_map(file)) return verify_map(file);
   const Result<std::vector<std::byte>> bytes = read_input(file);
   if (!bytes) return fail(file, bytes.error());
   const Result<StreamInfo> info = inspect(*bytes);
@@ -38,9 +40,11 @@ int run_verify(const std::string& file) {
 void add_verify_command(CLI::App& app, int& status) {
   const auto file = std::make_shared<std::string>();
   CLI::App* command =
-      app.add_subcommand("verify", "Check a stream: checksums, structure, and that it decodes");
-  command->add_option("FILE", *file, "stream, .dmsh; - is standard input")->required();
-  command->footer("Exit code 0 and `ok` where all is well, 1 and the first fault where not.\n");
+      app.add_subcommand("verify", "Check a stream or a map: checksums, structure, and that it decodes");
+  command->add_option("FILE", *file, "stream, .dmsh, or folder of a map; - is standard input")->required();
+  command->footer(
+      "Exit code 0 and `ok` where all is well, 1 and the first fault where not; of a map every "
+      "part that is missing or damaged.\n");
   command->callback([file, &status] { status = run_verify(*file); });
 }
 

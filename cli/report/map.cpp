@@ -56,9 +56,35 @@ std::optional<double> color_error_of(const MapManifest& manifest) {
   return most;
 }
 
+struct Copies {
+  std::size_t parts = 0;
+  std::uint64_t bytes = 0;
+};
+
 /// `finest`: what shows the map on level 0.
-bool has_copies(const MapManifest& manifest, const Totals& finest) noexcept {
-  return manifest.entries.size() > finest.parts;
+Copies copies_in(const MapManifest& manifest, const Totals& finest) noexcept {
+  Copies copies{.parts = manifest.entries.size() - finest.parts};
+  for (const PartEntry& entry : manifest.entries) copies.bytes += entry.bytes;
+  copies.bytes -= finest.bytes;
+  return copies;
+}
+
+/// One line for levels that the same parts show.
+void add_levels(Summary& summary, const MapManifest& manifest) {
+  const auto keys = keys_of(manifest);
+  const int top = top_level(keys);
+  for (int first = 0; first <= top;) {
+    const auto parts = keys_on_level(keys, static_cast<std::uint8_t>(first));
+    int last = first;
+    while (last < top && keys_on_level(keys, static_cast<std::uint8_t>(last + 1)) == parts) ++last;
+    const Totals shown = totals_on(manifest, static_cast<std::uint8_t>(first));
+    summary.add(first == last ? "seen on level " + std::to_string(first)
+                              : "seen on levels " + std::to_string(first) + " to " + std::to_string(last),
+                counted(shown.parts, "part", "parts") + ", " + counted(shown.bytes, "byte", "bytes") + ", " +
+                    counted(shown.triangles, "triangle", "triangles") + ", max error " +
+                    brief(shown.max_error));
+    first = last + 1;
+  }
 }
 
 std::uint64_t primer_bytes(const MapDescription& description) noexcept {
@@ -102,25 +128,24 @@ void print_map(const std::string& headline, const MapManifest& manifest,
   if (totals.parts != 0)
     parts += " of " + grouped(totals.least) + " to " + counted(totals.most, "byte", "bytes") + ", mean " +
              grouped(totals.bytes / totals.parts);
+  const Copies copies = copies_in(manifest, totals);
+  if (copies.parts != 0) parts += "; and " + counted(copies.parts, "coarser copy", "coarser copies");
   summary.add("parts", parts);
-  if (update) summary.add("new or changed", counted(update->new_parts, "part", "parts"));
+  if (update)
+    summary.add("new or changed", counted(update->new_parts, "part", "parts") +
+                                      (copies.parts != 0 ? ", coarser copies too" : ""));
+  if (update && update->mended_parts != 0)
+    summary.add("mended", counted(update->mended_parts, "part", "parts"));
   summary.add("vertices", grouped(totals.vertices) + ", those of borders in each of their parts");
   summary.add("triangles", grouped(totals.triangles));
-  summary.add("bytes", grouped(totals.bytes + primer_bytes(description)) + ", of which " +
-                           grouped(primer_bytes(description)) + " are primers");
+  summary.add("bytes", grouped(totals.bytes + copies.bytes + primer_bytes(description)) + ", of which " +
+                           grouped(primer_bytes(description)) + " are primers" +
+                           (copies.parts != 0 ? " and " + grouped(copies.bytes) + " coarser copies" : ""));
   if (update) summary.add(update->keeps_bounds ? "bounds kept" : "bounds", update->bounds);
   summary.add("max error", brief(totals.max_error));
   if (const auto error = color_error_of(manifest))
     summary.add("colours", kept_text(AttributeKind::kColor, *error, update ? update->color_rms : 0));
-  if (has_copies(manifest, totals)) {
-    for (int level = 1; level <= manifest.entries.back().key.level; ++level) {
-      const Totals shown = totals_on(manifest, static_cast<std::uint8_t>(level));
-      summary.add("seen on level " + std::to_string(level),
-                  counted(shown.parts, "part", "parts") + ", " + counted(shown.bytes, "byte", "bytes") +
-                      ", " + counted(shown.triangles, "triangle", "triangles") + ", max error " +
-                      brief(shown.max_error));
-    }
-  }
+  if (copies.parts != 0) add_levels(summary, manifest);
   summary.print();
 }
 
@@ -155,8 +180,11 @@ nlohmann::ordered_json map_object(const MapManifest& manifest) {
   object["triangles"] = totals.triangles;
   object["max_error"] = totals.max_error;
   if (const auto error = color_error_of(manifest)) object["color_error"] = *error;
-  if (!has_copies(manifest, totals)) return object;
-  for (int level = 1; level <= manifest.entries.back().key.level; ++level) {
+  const Copies copies = copies_in(manifest, totals);
+  if (copies.parts == 0) return object;
+  object["copies"] = copies.parts;
+  object["copy_bytes"] = copies.bytes;
+  for (int level = 1; level <= top_level(keys_of(manifest)); ++level) {
     const Totals shown = totals_on(manifest, static_cast<std::uint8_t>(level));
     object["levels"].push_back({{"level", level},
                                 {"parts", shown.parts},

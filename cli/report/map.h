@@ -19,10 +19,11 @@ std::vector<PartKey> keys_of(const MapManifest& manifest);
 
 /// What is told of a map that was made or changed just now.
 struct MapUpdate {
-  std::size_t new_parts = 0;  ///< that were written
-  bool keeps_bounds = false;  ///< those from before
-  std::string bounds;         ///< bounds_text()
-  double color_rms = 0;       ///< the mean error that was asked for, 255ths; 0: none, or not known
+  std::size_t new_parts = 0;     ///< coarser copies too
+  std::size_t mended_parts = 0;  ///< whose files were missing or damaged
+  bool keeps_bounds = false;     ///< those from before
+  std::string bounds;            ///< bounds_text()
+  double color_rms = 0;          ///< the mean error that was asked for, 255ths; 0: none, or not known
 };
 
 /// For people, on standard output.

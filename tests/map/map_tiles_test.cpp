@@ -84,13 +84,15 @@ TEST(MapTiles, MergedTilesAreAMap) {
   MapSettings settings{.part_edge = 0.3, .most_triangles = 300};
   settings.quality.bounds.max_error = QualityBound{0.002};
   const auto pieces = pieces_of(mesh, 5);
-  const TilePlan plan = plan_of(pieces, settings, 1500);
+  TilePlan plan = plan_of(pieces, settings, 1500);
+  plan.revision = 7;
+  plan.group = 3;
   const auto codec = MapCodec::open(plan.description);
   MapState whole;
   std::vector<MapManifest> tiles;
   std::map<PartKey, std::vector<std::byte>> octets;
   for (const Tile& tile : plan.tiles) {
-    const auto state = encode_tile(*codec, *split_tile(plan, tile, meshes_of(tile, pieces)), plan.quality);
+    const auto state = encode_tile(*codec, *split_tile(plan, tile, meshes_of(tile, pieces)), plan);
     ASSERT_TRUE(state);
     for (std::size_t i = 0; i < state->octets.size(); ++i)
       octets[state->manifest.entries[i].key] = state->octets[i];
@@ -100,6 +102,9 @@ TEST(MapTiles, MergedTilesAreAMap) {
   auto merged = merge_tiles(tiles);
   ASSERT_TRUE(merged);
   EXPECT_TRUE(write_manifest(*merged));
+  EXPECT_EQ(merged->revision, 7U);
+  EXPECT_EQ(merged->next_group, 4U);
+  for (const PartEntry& entry : merged->entries) EXPECT_EQ(entry.revision, 7U);
   whole.manifest = *merged;
   for (const auto& [key, bytes] : octets) whole.octets.push_back(bytes);
   EXPECT_EQ(test::topology_counts(*decode_map(whole)), test::topology_counts(mesh));
@@ -124,7 +129,16 @@ TEST(MapTiles, RefusesWhatNoTileCanKeep) {
   Mesh moved = test::wavy_sheet(5, 5, 1, 0);
   for (float& x : moved.positions) x += 20;
   const std::vector<MeshView> meshes{moved};
-  EXPECT_EQ(split_tile(*plan, plan->tiles[0], meshes).error().code, ErrorCode::kInvalidArgument);
+  const auto other = split_tile(*plan, plan->tiles[0], meshes);
+  EXPECT_EQ(other.error().code, ErrorCode::kInvalidMesh);
+  EXPECT_EQ(other.error().where_kind, WhereKind::kElement);
+  // The first mesh says which attributes all have.
+  Mesh bare = test::wavy_sheet(5, 5, 1, 0);
+  bare.attributes.clear();
+  EXPECT_EQ(describe(planner->add(bare).error()), "the mesh lacks an attribute of the map: 'colours'");
+  Mesh more = test::wavy_sheet(5, 5, 1, 0);
+  more.attributes.push_back(more.attributes.front());
+  EXPECT_EQ(describe(planner->add(more).error()), "the map lacks an attribute of the mesh: 'colours'");
 }
 
 }  // namespace

@@ -46,11 +46,11 @@ Sources sources_of(const PartKey& cell, const Layout& layout, const Copies& copi
 
 Copy make_copy(const PartKey& key, const Sources& sources, std::vector<BorderPosition> border,
                const MapDescription& description, const SplitOptions& options) {
-  const double edge = std::ldexp(description.cell_steps * description.lattice.step(), key.level);
+  const double error = simplification_error(key, description);
   const MapPart whole = assemble(key, sources.blocks, border);
   MapPart coarse;
   for (int i = 0; i <= kMostDoublings; ++i) {
-    coarse = simplify(whole, std::ldexp(kErrorOfEdge * edge, i));
+    coarse = simplify(whole, std::ldexp(error, i));
     if (coarse.mesh.triangle_count() <= options.most_triangles) break;
   }
   Copy copy{.border = std::move(border)};
@@ -61,6 +61,10 @@ Copy make_copy(const PartKey& key, const Sources& sources, std::vector<BorderPos
 }
 
 }  // namespace
+
+double simplification_error(const PartKey& cell, const MapDescription& description) noexcept {
+  return kErrorOfEdge * std::ldexp(description.cell_steps * description.lattice.step(), cell.level);
+}
 
 OutdatedCopies outdate_copies(const std::set<PartKey>& touched, const Layout& layout, Copies& copies) {
   OutdatedCopies outdated;

@@ -32,6 +32,9 @@ struct OutdatedCopies {
   std::vector<PartKey> removed;   ///< with nothing below any more
 };
 
+/// The error that a copy is simplified with where that leaves few enough triangles, model units.
+double simplification_error(const PartKey& cell, const MapDescription& description) noexcept;
+
 /// Marks the copies above these parts as outdated. `touched`: of the layout's last changes. O(levels * log n)
 /// for each.
 OutdatedCopies outdate_copies(const std::set<PartKey>& touched, const Layout& layout, Copies& copies);

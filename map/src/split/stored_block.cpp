@@ -2,7 +2,10 @@
 // Copyright 2026 The deltamesh authors
 #include "split/stored_block.h"
 
+#include <algorithm>
+#include <array>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "base/try.h"
@@ -14,9 +17,34 @@
 namespace deltamesh {
 namespace {
 
+/// What it is for people: its name only where the kind says nothing.
+std::array<char, 24> text_of(AttributeKind kind, std::string_view name) noexcept {
+  constexpr std::array<const char*, 7> kNames{
+      "normals", "colours", "texture coordinates", "generic", "tangents", "joints", "weights"};
+  std::array<char, 24> text{};
+  if (kind != AttributeKind::kGeneric || name.empty()) name = kNames.at(static_cast<std::size_t>(kind));
+  std::copy_n(name.begin(), std::min(name.size(), text.size() - 1), text.begin());
+  return text;
+}
+
+/// The first of the one that the other has less often; both by kind and name.
+template <class Ones, class Others>
+Result<void> check_all_in(const Ones& ones, const Others& others, const char* message) {
+  for (const auto& one : ones) {
+    const auto is_same = [&](const auto& a) { return a.kind == one.kind && a.name == one.name; };
+    if (std::ranges::count_if(ones, is_same) <= std::ranges::count_if(others, is_same)) continue;
+    Error error = invalid_mesh(message);
+    error.found = text_of(one.kind, one.name);
+    return error;
+  }
+  return {};
+}
+
 Result<void> check_attributes(const MeshView& mesh, const MapDescription& description) {
-  if (mesh.attributes.size() != description.attributes.size())
-    return invalid_mesh("the mesh has not as many attributes as the map");
+  DELTAMESH_CHECK(
+      check_all_in(mesh.attributes, description.attributes, "the map lacks an attribute of the mesh"));
+  DELTAMESH_CHECK(
+      check_all_in(description.attributes, mesh.attributes, "the mesh lacks an attribute of the map"));
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
     const AttributeView& a = mesh.attributes[i];
     const MapAttribute& b = description.attributes[i];

@@ -9,6 +9,7 @@
 
 #include "base/try.h"
 #include "part/fitness.h"
+#include "split/copies.h"
 #include "whole/describe.h"
 
 namespace deltamesh {
@@ -44,6 +45,16 @@ Mesh surface_in(const PartKey& cell, std::span<const MapPart> parts) {
   return mesh;
 }
 
+/// A copy is off by its simplification already: positions within a part of that cost bytes that nobody sees.
+constexpr double kCodingOfSimplification = 1.0 / 2;
+
+PartQuality quality_of_copy(const PartKey& key, const MapDescription& description, PartQuality quality) {
+  const double least = kCodingOfSimplification * simplification_error(key, description);
+  for (auto* bound : {&quality.bounds.vde, &quality.bounds.lfe, &quality.bounds.max_error})
+    if (*bound) (*bound)->value = std::max((*bound)->value, least);
+  return quality;
+}
+
 }  // namespace
 
 Result<MapState> code_parts(const MapCodec& codec, std::span<const MapPart> parts,
@@ -51,10 +62,13 @@ Result<MapState> code_parts(const MapCodec& codec, std::span<const MapPart> part
   MapState state;
   state.manifest.description = codec.description();
   for (const MapPart& part : parts) {
-    DELTAMESH_TRY(CodedPart coded, codec.encode(part, quality));
+    const bool is_copy = !std::ranges::binary_search(finest, part.key, {}, &MapPart::key);
+    DELTAMESH_TRY(
+        CodedPart coded,
+        codec.encode(part, is_copy ? quality_of_copy(part.key, codec.description(), quality) : quality));
     DELTAMESH_TRY(const MapPart decoded, codec.decode(part.key, coded.bytes));
     state.manifest.entries.push_back(entry_of(part, coded, decoded));
-    if (!std::ranges::binary_search(finest, part.key, {}, &MapPart::key))
+    if (is_copy)
       state.manifest.entries.back().quality.max_error =
           errors_between(surface_in(part.key, finest), surface_in(part.key, std::span(&decoded, 1)))
               .max_error;

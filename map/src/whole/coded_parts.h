@@ -11,9 +11,10 @@
 
 namespace deltamesh {
 
-/// Entries without revision, group and links. Of parts that are not among `finest`, which are coarser copies,
-/// the largest error is that to the faces of `finest` in their cells [MAP-19]. All ascending by key. Errors:
-/// as MapCodec::encode().
+/// `quality`: in model units; coarser copies are coded within half of their simplification's error where
+/// that is more. Entries without revision, group and links. Of parts that are not among `finest`, which are
+/// coarser copies, the largest error is that to the faces of `finest` in their cells [MAP-19]. All ascending
+/// by key. Errors: as MapCodec::encode().
 Result<MapState> code_parts(const MapCodec& codec, std::span<const MapPart> parts,
                             std::span<const MapPart> finest, const PartQuality& quality);
 

@@ -88,7 +88,13 @@ Result<void> validate(const MapSettings& settings) noexcept {
   if (settings.most_triangles == 0) return invalid("parts of no triangles");
   if (settings.levels > kMostPartLevel - kLevelsOfParts) return invalid("more than 21 coarser levels");
   if (settings.frame.size() > kMostNameBytes) return invalid("the name of the frame has more than 255 bytes");
-  if (settings.quality.bounds.target_bytes) return invalid("a map cannot be asked for a number of bytes");
+  const QualityRequest& bounds = settings.quality.bounds;
+  for (const auto& bound : {bounds.vde, bounds.lfe, bounds.max_error})
+    if (bound && !(bound->value > 0)) return invalid("a bound on positions is not above 0");
+  if ((bounds.vde || bounds.lfe || bounds.max_error) && !std::isfinite(least_bound(bounds)))
+    return invalid(
+        "a map needs a bound on positions: there may be none on the largest error only beside others");
+  if (bounds.target_bytes) return invalid("a map cannot be asked for a number of bytes");
   return {};
 }
 

@@ -61,7 +61,8 @@ std::uint32_t border_with(const PartEntry& entry, const PartKey& key) noexcept {
   return found == entry.links.end() ? 0 : found->border;
 }
 
-/// Links, and what a version has from the state before. All that changes is one group.
+/// Links, and what a version has from the state before. All that changes is one group; where nothing does,
+/// there is no update.
 void number_versions(std::span<const MapPart> parts, const MapState* before, MapState& state) {
   MapManifest& manifest = state.manifest;
   manifest.revision = before != nullptr ? before->manifest.revision + 1 : 1;
@@ -70,6 +71,7 @@ void number_versions(std::span<const MapPart> parts, const MapState* before, Map
   const bool is_same_epoch = before != nullptr && before->manifest.description == manifest.description;
   LinkTable links;
   for (const MapPart& part : parts) links.put(part);
+  std::size_t kept = 0;
   for (PartEntry& entry : manifest.entries) {
     entry.links = links.links_of(entry.key);
     const PartEntry* old = is_same_epoch ? find_entry(before->manifest, entry.key) : nullptr;
@@ -77,6 +79,7 @@ void number_versions(std::span<const MapPart> parts, const MapState* before, Map
       entry.revision = old->revision;
       entry.group = old->group;
       entry.links = old->links;
+      ++kept;
       continue;
     }
     entry.revision = manifest.revision;
@@ -86,6 +89,9 @@ void number_versions(std::span<const MapPart> parts, const MapState* before, Map
                       (old != nullptr || find_entry(before->manifest, link.key) != nullptr) &&
                       (old == nullptr || border_with(*old, link.key) != link.border);
   }
+  if (!is_same_epoch || kept != manifest.entries.size() || kept != before->manifest.entries.size()) return;
+  manifest.revision = before->manifest.revision;
+  manifest.next_group = group;
 }
 
 bool are_same(const QualityRequest& a, const QualityRequest& b) noexcept {

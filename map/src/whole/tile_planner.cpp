@@ -84,7 +84,7 @@ Result<TilePlanner> TilePlanner::make(const MapSettings& settings, std::uint64_t
             "bounds of tiles are in model units: no tile knows the diagonal of the whole map");
     if (settings.levels != 0) return invalid_argument("tiles have no coarser levels");
     if (tile_triangles < settings.most_triangles)
-      return invalid_argument("tiles are smaller than their parts");
+      return invalid_argument("tiles of fewer triangles than their parts may have");
     auto state = std::make_unique<State>();
     state->settings = settings;
     state->tile_triangles = tile_triangles;

@@ -57,11 +57,14 @@ Result<std::vector<TilePart>> split_tile(const TilePlan& plan, const Tile& tile,
   return guarded([&]() -> Result<std::vector<TilePart>> {
     std::vector<PlacedBlock> blocks;
     std::map<PartKey, std::map<Cell0, std::vector<std::size_t>>> places;
-    for (const MeshView& mesh : meshes) {
-      DELTAMESH_TRY(const Mesh moved, to_map(mesh, plan.description));
-      for (auto& [cell, block] : blocks_of(moved, plan.description)) {
+    for (std::size_t number = 0; number < meshes.size(); ++number) {
+      const Error other =
+          invalid_mesh("the mesh is not the one that tiles were planned with", WhereKind::kElement, number);
+      const Result<Mesh> moved = to_map(meshes[number], plan.description);
+      if (!moved) return moved.error().code == ErrorCode::kOutOfMemory ? moved.error() : other;
+      for (auto& [cell, block] : blocks_of(*moved, plan.description)) {
         const PartKey* key = find_part(plan, cell);
-        if (key == nullptr) return invalid_argument("meshes are not those that tiles were planned with");
+        if (key == nullptr) return other;
         places[*key][cell].push_back(blocks.size());
         blocks.push_back({std::move(block), *key});
       }
@@ -86,15 +89,16 @@ Result<std::vector<TilePart>> split_tile(const TilePlan& plan, const Tile& tile,
 }
 
 Result<MapState> encode_tile(const MapCodec& codec, std::span<const TilePart> parts,
-                             const PartQuality& quality) noexcept {
+                             const TilePlan& plan) noexcept {
   return guarded([&]() -> Result<MapState> {
     std::vector<MapPart> all;
     for (const TilePart& part : parts) all.push_back(part.part);
-    DELTAMESH_TRY(MapState state, code_parts(codec, all, all, quality));
-    state.manifest.revision = 1;
-    state.manifest.next_group = 1;
+    DELTAMESH_TRY(MapState state, code_parts(codec, all, all, plan.quality));
+    state.manifest.revision = plan.revision;
+    state.manifest.next_group = plan.group + 1;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      state.manifest.entries[i].revision = 1;
+      state.manifest.entries[i].revision = plan.revision;
+      state.manifest.entries[i].group = plan.group;
       state.manifest.entries[i].links = parts[i].links;
     }
     return state;
@@ -103,10 +107,16 @@ Result<MapState> encode_tile(const MapCodec& codec, std::span<const TilePart> pa
 
 Result<MapManifest> merge_tiles(std::span<const MapManifest> tiles) noexcept {
   return guarded([&]() -> Result<MapManifest> {
-    MapManifest whole{.revision = 1, .next_group = 1};
+    MapManifest whole;
+    if (!tiles.empty()) {
+      whole.description = tiles.front().description;
+      whole.revision = tiles.front().revision;
+      whole.next_group = tiles.front().next_group;
+    }
     for (const MapManifest& tile : tiles) {
-      if (&tile == tiles.data()) whole.description = tile.description;
-      if (tile.description != whole.description) return invalid_argument("tiles of different maps");
+      if (tile.description != whole.description || tile.revision != whole.revision ||
+          tile.next_group != whole.next_group)
+        return invalid_argument("tiles of different maps");
       whole.entries.insert(whole.entries.end(), tile.entries.begin(), tile.entries.end());
     }
     std::ranges::sort(whole.entries, {}, &PartEntry::key);

@@ -12,13 +12,18 @@ for key in triangles components; do
   [ "$(grep "\"$key\"" a.json)" = "$(grep "\"$key\"" .out)" ] && say "as many $key"
 done
 quiet map split rooms.ply levels.map --part-edge 2 --max-error 0.004 --levels 2 --json
+cp .out levels.json
 grep -c '"level"' .out
 grep '"color_rms"' .out
+# A coarser level has fewer bytes. Levels of the same parts are one line, and copies count in the bytes.
+grep '"part_bytes"' levels.json | tr -dc '0-9\n' | { read -r finest; read -r _; read -r _; read -r _; read -r fourth; read -r fifth
+  [ "$fifth" -lt "$fourth" ] && [ "$fourth" -lt "$finest" ] && say "each level has fewer bytes"; }
+figures map info levels.map
 quiet map join levels.map coarse.ply --level 5
 status map join levels.map coarse.ply --level 25
 run map join levels.map coarse.ply --level 6
 run map join rooms.map coarse.ply --level 4
-rm -r levels.map coarse.ply
+rm -r levels.map levels.json coarse.ply
 cp -r rooms.map again.map
 quiet map split rooms.ply again.map --part-edge 2 --max-error 0.004 --color-error 4 --json
 grep -E '"(new_parts|revision|epoch)"' .out
@@ -45,12 +50,31 @@ rm -r kept.map kept.json none.ply more.ply bounds.map
 status map split rooms.ply other.map --part-edge 0
 status map split rooms.ply other.map
 status map split rooms.ply other.map --part-edge 1 --target-bytes 1000
+run map split rooms.ply other.map --part-edge 1 --max-error none
+run map split rooms.ply other.map --part-edge 1 --max-error 0
 status map join rooms.map out.xyz
-status map join nowhere out.ply
-rm "$(ls rooms.map/parts/*.part | head -1)"
-status map join rooms.map out.ply
+run map join nowhere out.ply
+figures map join rooms.map out.ply
+run verify rooms.map
+run info rooms.map
+run decode rooms.map out.ply
+# Parts that are missing or damaged are named, and written again.
+cp -r rooms.map damaged.map
+rm "$(ls damaged.map/parts/*.part | head -1)"
+echo >>"$(ls damaged.map/parts/*.part | tail -1)"
+for command in "verify damaged.map" "map info damaged.map" "map diff rooms.map damaged.map" "map join damaged.map out.ply"; do
+  capture $command
+  say "$command: exit $code"
+  sed 's/_[0-9]*_[0-9a-f]*.part:/_N.part:/' .err
+done
+quiet map split rooms.ply damaged.map --part-edge 2 --color-error 4 --json
+grep -E '"(new_parts|mended_parts)"' .out
+diff -r rooms.map damaged.map && say "the same files"
+: >damaged.map/map.dmm
+run map split rooms.ply damaged.map --part-edge 2
 echo damaged >>again.map/map.dmm
 status map info again.map
+rm -r damaged.map out.ply
 status map
 rm -r a.json info.json a.dmsh b.dmsh
 list

@@ -22,9 +22,42 @@ quiet tiles finish killed.map
 diff -r whole.map killed.map && say "killed and run again: the same bytes"
 quiet map join killed.map joined.ply
 status tiles encode whole.map 1000
-status tiles encode nowhere 0
-status tiles plan other.map a.ply --part-edge 2
-status tiles plan other.map a.ply --part-edge 2 --max-error 0.1%
+run tiles encode nowhere 0
+run tiles finish nowhere
+run tiles plan other.map a.ply --part-edge 2
+run tiles plan other.map a.ply --part-edge 2 --max-error 0.1%
+run tiles plan other.map a.ply --part-edge 2 --max-error 0.1 --tile-triangles 10000
 status tiles plan other.map missing.ply --part-edge 2 --max-error 0.1
+# Of a finished map `map split` makes the same parts within the same bounds; tiles begin a new epoch of it.
+ask="--part-edge 2 --color-error 4 --part-triangles 2000"
+quiet tiles plan one.map a.ply $ask --max-error 0.004
+quiet tiles encode one.map 0
+quiet tiles finish one.map
+quiet map split a.ply one.map $ask --json
+grep -E '"(epoch|revision|new_parts|keeps_bounds)"' .out
+quiet map split b.ply one.map $ask
+run tiles finish one.map
+quiet tiles plan one.map a.ply $ask --vde 0.002 --max-error none
+run tiles finish one.map
+quiet tiles encode one.map 0
+quiet tiles finish one.map
+quiet map info one.map --json
+grep -E '"(epoch|revision)"' .out
+cat one.map/bounds.json
+quiet verify one.map
+rm "$(ls one.map/parts/*.part | head -1)"
+run tiles finish one.map
+# Files that do not fit together, or are others than planned with.
+cube cube.obj
+sed '/^f/i vn 0 0 1' cube.obj | sed -E '/^f/s/([0-9]+)/\1\/\/1/g' >normals.obj
+run tiles plan other.map normals.obj cube.obj --part-edge 2 --max-error 0.1
+quiet tiles plan other.map cube.obj --part-edge 2 --max-error 0.1
+sed -i '/^v/s/ / 9/g' cube.obj
+capture tiles encode other.map 0
+say "exit $code: $(sed "s,$PWD/,," .err)"
+printf 'v nan 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 2 3 4\n' >nan.obj
+run tiles plan other.map nan.obj --part-edge 2 --max-error 0.1
+quiet tiles plan other.map nan.obj --part-edge 2 --max-error 0.1 --drop-invalid
+run tiles encode other.map 0
 echo damaged >whole.map/tiles/plan.json
 run tiles finish whole.map

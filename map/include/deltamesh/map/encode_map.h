@@ -50,11 +50,12 @@ struct MapSettings {
 /// Errors: kInvalidArgument.
 Result<void> validate(const MapSettings& settings) noexcept;
 
-/// The state after one more update, whose content is `mesh`. The lattice is the coarsest that suits the
-/// quality; where a part cannot keep its bounds there, all is encoded again on one of half the step, up to
-/// six times. `before`: the state before, or null. What all parts share stays as it is there where that is
-/// possible, and a part whose octets stay has the revision that it had; otherwise a new epoch begins. Parts
-/// are made smaller where one takes more than kMostPartBytes. Errors: as split() and MapCodec::encode().
+/// The state after one more update, whose content is `mesh`; where that changes nothing, there is none. The
+/// lattice is the coarsest that suits the quality; where a part cannot keep its bounds there, all is encoded
+/// again on one of half the step, up to six times. `before`: the state before, or null. What all parts share
+/// stays as it is there where that is possible, and a part whose octets stay has the revision that it had;
+/// otherwise a new epoch begins. Parts are made smaller where one takes more than kMostPartBytes. Errors: as
+/// split() and MapCodec::encode().
 Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
                             const MapState* before = nullptr) noexcept;
 

@@ -27,6 +27,8 @@ struct Tile {
 struct TilePlan {
   MapDescription description{};
   PartQuality quality{};         ///< with what the settings do not say of colours
+  std::uint64_t revision = 1;    ///< the number of the update that the tiles make together
+  std::uint64_t group = 0;       ///< and of its group
   std::vector<PartKey> parts{};  ///< ascending; every face is in one
   std::vector<Tile> tiles{};     ///< ascending by cell; every part is in one
 };
@@ -61,17 +63,18 @@ struct TilePart {
 };
 
 /// The parts of a tile, ascending by key: those that split() makes of all meshes after each other, in cells
-/// as the plan has them. `meshes`: those of the tile, in its order. Errors: kInvalidArgument (other meshes
-/// than planned with), as split().
+/// as the plan has them. `meshes`: those of the tile, in its order. Errors: kInvalidMesh (another mesh than
+/// planned with; WhereKind::kElement counts in `meshes`), kOutOfMemory.
 Result<std::vector<TilePart>> split_tile(const TilePlan& plan, const Tile& tile,
                                          std::span<const MeshView> meshes) noexcept;
 
-/// A map of these parts alone, in revision 1. Errors: as MapCodec::encode().
+/// A map of these parts alone, in the plan's revision. `codec`: of the plan's description. Errors: as
+/// MapCodec::encode().
 Result<MapState> encode_tile(const MapCodec& codec, std::span<const TilePart> parts,
-                             const PartQuality& quality) noexcept;
+                             const TilePlan& plan) noexcept;
 
 /// The whole map, from the manifests of all its tiles in any order. Errors: kInvalidArgument (a part twice,
-/// or other descriptions).
+/// or other descriptions or revisions).
 Result<MapManifest> merge_tiles(std::span<const MapManifest> tiles) noexcept;
 
 }  // namespace deltamesh

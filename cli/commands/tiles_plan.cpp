@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "commands/tiles.h"
+#include "encode_options.h"
+#include "map_files.h"
+#include "mesh_files.h"
+#include "option_numbers.h"
+#include "report/console.h"
+#include "report/losses.h"
+#include "report/map.h"
+
+namespace deltamesh::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Planning {
+  std::string folder;
+  std::vector<std::string> files;
+  MapSettings settings;
+  std::uint64_t tile_triangles = 2'000'000;
+  FileOptions options;
+};
+
+/// What parts of all tiles learn from, found in the largest tile.
+int add_primers(FiledPlan& plan) {
+  const auto largest = std::ranges::max_element(plan.plan.tiles, {}, &Tile::triangles);
+  int status = kOk;
+  const auto number = static_cast<std::size_t>(largest - plan.plan.tiles.begin());
+  auto tile = load_tile(plan, number, status);
+  if (!tile) return status;
+  std::vector<MapPart> parts;
+  for (TilePart& part : *tile) parts.push_back(std::move(part.part));
+  auto description = with_primers(plan.plan.description, parts, plan.plan.quality);
+  if (!description) return fail("tile " + std::to_string(number), description.error());
+  plan.plan.description = *std::move(description);
+  return kOk;
+}
+
+/// Where the folder holds a map the tiles begin an epoch of it [MAP-5]. Returns the exit code.
+int continue_map(const std::string& folder, TilePlan& plan) {
+  int status = kOk;
+  if (!is_map(folder)) return status;
+  const auto before = load_manifest(folder, status);
+  if (!before) return status;
+  plan.description.epoch = before->description.epoch + 1;
+  plan.revision = before->revision + 1;
+  plan.group = before->next_group;
+  return status;
+}
+
+int run_plan(const Planning& planning) {
+  if (planning.tile_triangles < planning.settings.most_triangles) {
+    print_error("--tile-triangles", grouped(planning.tile_triangles) + " is less than --part-triangles, " +
+                                        grouped(planning.settings.most_triangles));
+    return kUsage;
+  }
+  auto planner = TilePlanner::make(planning.settings, planning.tile_triangles);
+  if (!planner) return fail("tiles plan", planner.error());
+  FiledPlan plan;
+  LossReport losses;
+  double rounding = 0;
+  double uv_scale = 1;
+  for (const std::string& file : planning.files) {
+    int status = kOk;
+    const auto imported = load_mesh(file, status, planning.options);
+    if (!imported) return status;
+    for (const LeftOut& entry : imported->report.left_out)
+      losses.leave_out(entry.kind, entry.name, entry.count);
+    rounding = std::max(rounding, imported->report.position_error);
+    uv_scale = std::max(uv_scale, imported->report.uv_scale);
+    losses.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
+    if (const auto added = planner->add(imported->mesh); !added) return fail_coding(file, added.error());
+    std::error_code failed;
+    plan.files.push_back(fs::absolute(file, failed).string());
+  }
+  auto planned = planner->plan();
+  if (!planned) return fail("tiles plan", planned.error());
+  plan.plan = *std::move(planned);
+  plan.plan.quality.attributes.uv_error /= uv_scale;
+  if (plan.plan.tiles.empty()) {
+    print_error("tiles plan", "the files have no faces");
+    return kBadInput;
+  }
+  plan.drop_invalid = planning.options.drop_invalid;
+  if (const int status = continue_map(planning.folder, plan.plan); status != kOk) return status;
+  if (const int status = add_primers(plan); status != kOk) return status;
+  if (const auto saved = save_plan(planning.folder, plan); !saved)
+    return fail(planning.folder, saved.error());
+  std::cout << planning.folder << ": " << counted(plan.plan.tiles.size(), "tile", "tiles")
+            << ", numbered 0 to " << plan.plan.tiles.size() - 1 << ", "
+            << counted(plan.plan.parts.size(), "part", "parts") << '\n';
+  print_rounding(rounding, std::cout);
+  print_stretch(uv_scale, std::cout);
+  print_left_out(losses, std::cout);
+  return kOk;
+}
+
+}  // namespace
+
+void add_tiles_plan(CLI::App& tiles, int& status) {
+  const auto planning = std::make_shared<Planning>();
+  CLI::App* command = tiles.add_subcommand("plan", "Divide the map of many mesh files into tiles");
+  command->add_option("DIR", planning->folder, "folder of the map to be made")->required();
+  command->add_option("IN", planning->files, std::string("mesh files: ") + kMeshSuffixes)->required();
+  command->add_option("--part-edge", planning->settings.part_edge, "edge of the largest parts, model units")
+      ->required();
+  command
+      ->add_option("--part-triangles", planning->settings.most_triangles,
+                   "parts with more are divided, down to an eighth of the edge")
+      ->capture_default_str();
+  command
+      ->add_option("--tile-triangles", planning->tile_triangles,
+                   "of a tile at the most, where parts allow; each takes about 300 bytes of memory")
+      ->check(refuse_negative)
+      ->capture_default_str();
+  command->add_option("--map-id", planning->settings.id, "which map")
+      ->check(refuse_negative)
+      ->capture_default_str();
+  command->add_option("--frame", planning->settings.frame, "name of the coordinate frame")
+      ->capture_default_str();
+  add_part_quality(*command, planning->settings.quality);
+  for (const char* bound : {"--max-error", "--vde", "--lfe"}) command->get_option(bound)->type_name("NUMBER");
+  command->get_option("--max-error")
+      ->description(
+          "largest distance of a vertex from its place, model units; \"none\" for no limit beside "
+          "--vde or --lfe");
+  command->get_option("--vde")->description("largest visual distortion error (rms), model units");
+  command->get_option("--lfe")->description("largest low-frequency error (rms), model units");
+  command->add_flag("--drop-invalid", planning->options.drop_invalid,
+                    "drop faces at vertices that are NaN or infinite");
+  command->add_flag("--strict", planning->options.strict, "fail where anything of a mesh file is left out");
+  command->footer(
+      "Reads every file once, and those of the largest tile again. Files fit together where they have the "
+      "same positions; the first says which attributes all have. At least one of --max-error, --vde and "
+      "--lfe "
+      "is needed, in model units. Where DIR holds a map the tiles replace it, in a new epoch.\n\n"
+      "Example, for 100 tiles:\n"
+      "  deltamesh tiles plan city.map blocks/*.ply --part-edge 20 --max-error 0.01\n"
+      "  parallel --joblog jobs.log --resume deltamesh tiles encode city.map ::: $(seq 0 99)\n"
+      "  deltamesh tiles finish city.map\n");
+  command->callback([planning, &status] { status = run_plan(*planning); });
+}
+
+}  // namespace deltamesh::cli
