@@ -72,7 +72,11 @@ Result<void> load_bounds(const std::string& folder, MapState& state) {
 }
 
 Result<void> save_bounds(const std::string& folder, const MapState& state) {
-  if (state.asked.empty() && state.bounds.empty()) return {};
+  if (state.asked.empty() && state.bounds.empty()) {
+    std::error_code ignored;
+    std::filesystem::remove(path_in(folder), ignored);  // of a map that was deleted
+    return {};
+  }
   const Json json{{"asked", json_of(state.asked)}, {"bounds", json_of(state.bounds)}};
   const std::string text = json.dump() + '\n';
   return write_file(path_in(folder), std::as_bytes(std::span(text)));

@@ -15,7 +15,7 @@ namespace deltamesh::cli {
 /// kInvalidFile.
 Result<void> load_bounds(const std::string& folder, MapState& state);
 
-/// Nothing where nothing is known. Errors: kFileWrite.
+/// Where nothing is known there is no file. Errors: kFileWrite.
 Result<void> save_bounds(const std::string& folder, const MapState& state);
 
 /// "max error 0.02% = 0.00146, vde 0.01": what was asked, and what it is in model units where that is in

@@ -79,6 +79,7 @@ Result<void> save_plan(const std::string& folder, const FiledPlan& plan) {
   Json json = {{"files", plan.files},
                {"quality", json_of(plan.plan.quality)},
                {"drop_invalid", plan.drop_invalid},
+               {"mesh_hashes", plan.plan.mesh_hashes},
                {"revision", plan.plan.revision},
                {"group", plan.plan.group}};
   json["parts"] = Json::array();
@@ -118,6 +119,7 @@ Result<FiledPlan> load_plan(const std::string& folder) {
     plan.files = json.at("files").get<std::vector<std::string>>();
     plan.plan.quality = quality_of(json.at("quality"));
     plan.drop_invalid = json.at("drop_invalid");
+    plan.plan.mesh_hashes = json.at("mesh_hashes").get<std::vector<std::uint64_t>>();
     plan.plan.revision = json.at("revision");
     plan.plan.group = json.at("group");
     for (const Json& key : json.at("parts")) plan.plan.parts.push_back(key_of(key));
@@ -125,7 +127,8 @@ Result<FiledPlan> load_plan(const std::string& folder) {
       plan.plan.tiles.push_back({key_of(tile.at("cell")), tile.at("triangles"),
                                  tile.at("files").get<std::vector<std::uint32_t>>()});
     for (const Tile& tile : plan.plan.tiles)
-      for (const std::uint32_t mesh : tile.meshes) (void)plan.files.at(mesh);
+      for (const std::uint32_t mesh : tile.meshes)
+        (void)plan.files.at(mesh), (void)plan.plan.mesh_hashes.at(mesh);
   } catch (const std::exception&) {
     return Error{.code = ErrorCode::kCorrupt, .message = "tiles/plan.json is not a plan of tiles"};
   }

@@ -49,7 +49,8 @@ struct TilePlanner::State {
   MapSettings settings;
   std::uint64_t tile_triangles = 0;
   MapDescription description{};
-  std::vector<MeshReach> reaches{};  ///< of every mesh
+  std::vector<MeshReach> reaches{};     ///< of every mesh
+  std::vector<std::uint64_t> hashes{};  ///< likewise
   Octree octree{};
   ColorContent colors{};
 
@@ -100,12 +101,14 @@ Result<void> TilePlanner::add(const MeshView& mesh) noexcept {
       DELTAMESH_TRY(description, describe_map(mesh.origin, mesh.attributes, state.settings,
                                               state.settings.quality.bounds, 0));
     }
-    DELTAMESH_TRY(const Mesh moved, to_map(mesh, description));
+    DELTAMESH_TRY(Mesh moved, to_map(mesh, description));
+    const StoredBlock whole = store_block(std::move(moved));
     DELTAMESH_CHECK(state.colors.add(mesh));
-    for (const auto& [cell, block] : blocks_of(moved, description))
+    for (const auto& [cell, block] : blocks_of(whole.mesh, description))
       state.octree.add(cell, block.mesh.triangle_count());
     state.description = std::move(description);
-    state.reaches.push_back(reach_of(moved));
+    state.reaches.push_back(reach_of(whole.mesh));
+    state.hashes.push_back(whole.hash);
     return {};
   });
 }
@@ -116,6 +119,7 @@ Result<TilePlan> TilePlanner::plan() const noexcept {
     if (state.reaches.empty()) return invalid_argument("no meshes to plan tiles of");
     TilePlan plan{.description = state.description, .quality = state.settings.quality};
     plan.quality.attributes = state.colors.complete(std::move(plan.quality.attributes));
+    plan.mesh_hashes = state.hashes;
     const PartSize part{state.settings.most_triangles, kLevelsOfParts};
     const PartSize tile{state.tile_triangles, kMostPartLevel};
     std::map<PartKey, std::uint64_t> triangles;  // of tiles

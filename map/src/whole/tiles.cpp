@@ -57,12 +57,15 @@ Result<std::vector<TilePart>> split_tile(const TilePlan& plan, const Tile& tile,
   return guarded([&]() -> Result<std::vector<TilePart>> {
     std::vector<PlacedBlock> blocks;
     std::map<PartKey, std::map<Cell0, std::vector<std::size_t>>> places;
+    if (meshes.size() != tile.meshes.size()) return invalid_argument("not as many meshes as the tile has");
     for (std::size_t number = 0; number < meshes.size(); ++number) {
       const Error other =
           invalid_mesh("the mesh is not the one that tiles were planned with", WhereKind::kElement, number);
-      const Result<Mesh> moved = to_map(meshes[number], plan.description);
+      Result<Mesh> moved = to_map(meshes[number], plan.description);
       if (!moved) return moved.error().code == ErrorCode::kOutOfMemory ? moved.error() : other;
-      for (auto& [cell, block] : blocks_of(*moved, plan.description)) {
+      const StoredBlock whole = store_block(*std::move(moved));
+      if (whole.hash != plan.mesh_hashes.at(tile.meshes[number])) return other;
+      for (auto& [cell, block] : blocks_of(whole.mesh, plan.description)) {
         const PartKey* key = find_part(plan, cell);
         if (key == nullptr) return other;
         places[*key][cell].push_back(blocks.size());

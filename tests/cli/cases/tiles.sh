@@ -52,7 +52,7 @@ cube cube.obj
 sed '/^f/i vn 0 0 1' cube.obj | sed -E '/^f/s/([0-9]+)/\1\/\/1/g' >normals.obj
 run tiles plan other.map normals.obj cube.obj --part-edge 2 --max-error 0.1
 quiet tiles plan other.map cube.obj --part-edge 2 --max-error 0.1
-sed -i '/^v/s/ / 9/g' cube.obj
+sed -i '/^v/s/1/0.99/' cube.obj
 capture tiles encode other.map 0
 say "exit $code: $(sed "s,$PWD/,," .err)"
 printf 'v nan 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 2 3 4\n' >nan.obj

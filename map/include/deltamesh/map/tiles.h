@@ -26,11 +26,12 @@ struct Tile {
 
 struct TilePlan {
   MapDescription description{};
-  PartQuality quality{};         ///< with what the settings do not say of colours
-  std::uint64_t revision = 1;    ///< the number of the update that the tiles make together
-  std::uint64_t group = 0;       ///< and of its group
-  std::vector<PartKey> parts{};  ///< ascending; every face is in one
-  std::vector<Tile> tiles{};     ///< ascending by cell; every part is in one
+  PartQuality quality{};                     ///< with what the settings do not say of colours
+  std::uint64_t revision = 1;                ///< the number of the update that the tiles make together
+  std::uint64_t group = 0;                   ///< and of its group
+  std::vector<std::uint64_t> mesh_hashes{};  ///< of the content of every mesh, by number
+  std::vector<PartKey> parts{};              ///< ascending; every face is in one
+  std::vector<Tile> tiles{};                 ///< ascending by cell; every part is in one
 };
 
 /// Looks at all meshes of a map, one after another. Memory: in proportion to the cells of level 0.
@@ -63,8 +64,9 @@ struct TilePart {
 };
 
 /// The parts of a tile, ascending by key: those that split() makes of all meshes after each other, in cells
-/// as the plan has them. `meshes`: those of the tile, in its order. Errors: kInvalidMesh (another mesh than
-/// planned with; WhereKind::kElement counts in `meshes`), kOutOfMemory.
+/// as the plan has them. `meshes`: those of the tile, in its order. Errors: kInvalidArgument (more or fewer
+/// meshes), kInvalidMesh (another mesh than planned with; WhereKind::kElement counts in `meshes`),
+/// kOutOfMemory.
 Result<std::vector<TilePart>> split_tile(const TilePlan& plan, const Tile& tile,
                                          std::span<const MeshView> meshes) noexcept;
 
