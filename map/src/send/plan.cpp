@@ -23,7 +23,8 @@ class Planner {
         encodings_(encodings),
         known_(known),
         keeps_good_enough_(keeps_good_enough),
-        is_over_(is_over) {}
+        is_over_(is_over),
+        encoded_(encodings.encoded()) {}
 
   Result<SendPlan> run() {
     WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description(), seen_);
@@ -33,7 +34,11 @@ class Planner {
     }
     for (const PartFault& fault : plan_.faults)
       if (fault.code != ErrorCode::kUnmetRequest) parts.others.insert(parts.wanted.extract(fault.key));
-    for (const PartKey& key : parts.wanted) DELTAMESH_CHECK(look_at(key, *map_.find(key)));
+    for (const PartKey& key : parts.wanted) {
+      DELTAMESH_CHECK(look_at(key, *map_.find(key)));
+      plan_.is_complete = encodings_.encoded() == encoded_ || !is_over_();
+      if (!plan_.is_complete) return std::move(plan_);
+    }
     for (const auto& [key, believed] : viewer_.has)
       if (!believed.is_gone && !will_be_made_anew(key) &&
           (map_.find(key) == nullptr || parts.others.contains(key)))
@@ -62,8 +67,7 @@ class Planner {
       return {};
     }
     const KnownVersion* version = find_version(known_, key, has->second.version);
-    if (version == nullptr &&
-        !is_over_()) {  // from before this sender was started: perhaps what it would send
+    if (version == nullptr) {  // from before this sender was started: perhaps what it would send
       DELTAMESH_TRY(const auto newest, newest_version(source, viewer_.view, encodings_, known_));
       if (newest == has->second.version) version = find_version(known_, key, *newest);
     }
@@ -171,6 +175,7 @@ class Planner {
   KnownVersions& known_;
   bool keeps_good_enough_;
   const std::function<bool()>& is_over_;
+  std::uint64_t encoded_;  ///< when it began
   SendPlan plan_;
   std::map<PartKey, const KnownVersion*> kept_;
 };

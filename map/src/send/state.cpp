@@ -56,10 +56,9 @@ Result<void> MapSender::State::make_newest(const PartKey& key, ChosenVersion cho
   const SourcePart& source = *map.find(key);
   const auto encoding = chosen.version.encoding;
   const KnownVersion* had = believed_version(viewer, key);
+  const bool is_the_same = had != nullptr && had->encoding->hash == encoding->hash;
   const std::optional<Believed> before = viewer.believed(key);
   const std::uint32_t told = version_hash(encoding->hash, chosen.version.links);
-  const bool is_the_same = had != nullptr ? had->encoding->hash == encoding->hash
-                                          : before && !before->is_gone && before->version == told;
   known[key][told] = std::move(chosen.version);
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
   std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
@@ -162,6 +161,7 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_s
     DELTAMESH_CHECK(make_copies(viewer, seen, now));
     DELTAMESH_TRY(SendPlan plan, plan_for(viewer, seen, waiting_since, map, encodings, known,
                                           options.keeps_good_enough, [&] { return is_call_over(true); }));
+    if (!plan.is_complete) return {};
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
     for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {

@@ -144,8 +144,9 @@ struct SendPlan {
   std::set<PartKey> removed;  ///< parts that are to go
   std::set<PartKey> staying;  ///< parts that go with all newest ones as the receiver has them
   std::vector<PartFault>
-      faults{};            ///< parts that do not come as the view asks; those without any are unwanted
-  std::uint64_t kept = 0;  ///< parts with a newer source whose old version will do
+      faults{};             ///< parts that do not come as the view asks; those without any are unwanted
+  std::uint64_t kept = 0;   ///< parts with a newer source whose old version will do
+  bool is_complete = true;  ///< false: time was over before all was known that it needs
 };
 
 class SeenCells;
@@ -153,7 +154,8 @@ class SeenCells;
 /// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
 /// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
 /// parts that the receiver does not show, and about which no message was sent since then, are sent again.
-/// `is_over`: whether nothing more is to be encoded. Errors: as Encodings::get().
+/// `is_over`: whether time is over; then it encodes one part more at the most, and another call goes on.
+/// Errors: as Encodings::get().
 Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double waiting_since,
                           const SourceMap& map, Encodings& encodings, KnownVersions& known,
                           bool keeps_good_enough, const std::function<bool()>& is_over);

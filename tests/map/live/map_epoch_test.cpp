@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <limits>
 #include <memory>
 
 #include "deltamesh/map/messages.h"
@@ -114,6 +115,22 @@ TEST(MapCall, ACallEndsWhenItsTimeIsOverAndGoesOnInTheNext) {
   cancel = false;
   for (int i = 3; i < 6; ++i) talk(*cancelled, other, 1, i);
   EXPECT_EQ(other.shown(), cancelled->keys());
+}
+
+TEST(MapCall, MAP16WhatAReceiverHasOfAnEarlierSenderIsNotSentAgainWhereThereIsNoTimeToLookForItBefore) {
+  for (const double call_seconds : {std::numeric_limits<double>::infinity(), 1e-9}) {
+    MapReceiver receiver = receiver_of(1);
+    auto sender = sender_of(-6, 0);
+    for (int i = 0; i < 3; ++i) talk(*sender, receiver, 1, i);
+    const std::uint64_t revision = sender->revision();
+    sender = sender_of(-6, 0, {.call_seconds = call_seconds});
+    sender->resume(revision, 100);
+    for (int i = 0; i < 3 + 2 * kBlocks; ++i) talk(*sender, receiver, 1, 10 + i);
+    EXPECT_EQ(receiver.hash(), sender->hash(1));
+    EXPECT_EQ(sender->counts().encoded, std::uint64_t{kBlocks});
+    EXPECT_EQ(sender->counts().parts_sent, 0U);
+    EXPECT_LE(sender->counts().entries_sent, std::uint64_t{kBlocks});
+  }
 }
 
 TEST(MapCall, AllViewersTogetherKeepTheSendersRate) {
