@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Keeps tests/golden/invalid_maps: for each place where the reference decoder rejects a part or a message of a map (musts.py), a small file that
-does: TAG.map, TAG.2.map and so on break the rule TAG. tests/map/map_invalid_test.cpp reads them as well.
+does: TAG.map, TAG.2.map and so on break the rule TAG. tests/map/spec/invalid_test.cpp reads them as well.
 
 A file has one or more blobs, each a varint and as many bytes: messages; or a map's message, and a key [MAP-12] with the octets of its part.
 

@@ -104,7 +104,8 @@ TEST(Lanes, OfEightShorts) {
       EXPECT_EQ(packed[i], std::clamp(i < 4 ? low[i] : -low[i - 4], -0x8000, 0x7fff));
       EXPECT_EQ(set >> i & 1, a[i] < 0 ? 1U : 0U);
       EXPECT_EQ(set >> (8 + i) & 1, b[i] < 0 ? 1U : 0U);
-      EXPECT_EQ(static_cast<std::uint16_t>(wrapped_sum(a, b)[i]), (unsigned_of(a) + unsigned_of(b)) & 0xffff);
+      EXPECT_EQ(static_cast<std::uint16_t>(wrapped_difference(a, b)[i]),
+                (unsigned_of(a) - unsigned_of(b)) & 0xffff);
     }
     for (int i = 0; i < 4; ++i) EXPECT_EQ(low_ints(a)[i], a[i]);
     const FourInts weighted = weighted_sums(a, b, in_turns(3, -7));

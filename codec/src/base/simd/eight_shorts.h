@@ -41,10 +41,6 @@ inline FourInts low_ints(EightShorts lanes) noexcept {
 inline EightShorts twice_low(EightShorts lanes) noexcept { return pick_lanes<0, 1, 2, 3, 0, 1, 2, 3>(lanes); }
 
 /// Modulo 2^16.
-inline EightShorts wrapped_sum(EightShorts a, EightShorts b) noexcept {
-  return reinterpret_cast<EightShorts>(reinterpret_cast<EightUnsigned>(a) +
-                                       reinterpret_cast<EightUnsigned>(b));
-}
 inline EightShorts wrapped_difference(EightShorts a, EightShorts b) noexcept {
   return reinterpret_cast<EightShorts>(reinterpret_cast<EightUnsigned>(a) -
                                        reinterpret_cast<EightUnsigned>(b));

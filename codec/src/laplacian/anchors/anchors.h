@@ -5,10 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
-
-#include "topology/adjacency.h"
 
 namespace deltamesh {
 
@@ -19,15 +16,5 @@ struct Anchors {
   std::vector<std::uint32_t> vertices;  ///< ascending
   std::uint32_t density = 0;            ///< largest hop distance of a vertex to its nearest anchor
 };
-
-/// Per anchor 1 if its component has another one, else 0. O(components + anchors).
-inline std::vector<std::uint8_t> shared_anchors(const Components& components,
-                                                std::span<const std::uint32_t> anchors) {
-  std::vector<std::uint32_t> count(components.count, 0);
-  for (const std::uint32_t anchor : anchors) ++count[components.label[anchor]];
-  std::vector<std::uint8_t> shared;
-  for (const std::uint32_t anchor : anchors) shared.push_back(count[components.label[anchor]] > 1 ? 1 : 0);
-  return shared;
-}
 
 }  // namespace deltamesh

@@ -43,8 +43,6 @@ inline Double4 ratio(const Double4& a, const Double4& b) noexcept {
   return {TwoDoubles{divide(a.xy[0], b.xy[0]), divide(a.xy[1], b.xy[1])},
           TwoDoubles{divide(a.zw[0], b.zw[0]), divide(a.zw[1], b.zw[1])}};
 }
-/// Sum of the three axes, without the fourth number.
-inline double sum_of_axes(const Double4& v) noexcept { return v.xy[0] + v.xy[1] + v.zw[0]; }
 
 inline Double4 widen(Float4 v) noexcept { return Double4{TwoDoubles{v[0], v[1]}, TwoDoubles{v[2], v[3]}}; }
 inline Float4 narrow(const Double4& v) noexcept { return narrow_lanes(v.xy, v.zw); }
