@@ -6,8 +6,11 @@
 // refuses them with the same tags.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/byte_reader.h"
 #include "deltamesh/io.h"
@@ -15,6 +18,7 @@
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/messages.h"
 #include "message/entry_fields.h"
+#include "message/frame.h"
 
 namespace deltamesh {
 namespace {
