@@ -27,7 +27,7 @@ std::uint8_t top_level(std::span<const PartKey> keys) {
   std::uint8_t top = highest;
   for (const PartKey& key : keys_on_level(keys, 0)) {
     std::uint8_t level = highest;
-    while (level > key.level && !std::ranges::binary_search(keys, ancestor(key, level))) --level;
+    while (level > key.level && !std::binary_search(keys.begin(), keys.end(), ancestor(key, level))) --level;
     top = std::min(top, level);
   }
   return top;
