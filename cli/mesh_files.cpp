@@ -167,6 +167,18 @@ bool check_keeps_input(const std::string& input, const std::string& output, int&
   return false;
 }
 
+bool check_is_outside(const std::string& folder, const std::string& file, int& status) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(folder, ignored), ignored);
+  fs::path above = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
+  while (above.has_relative_path() && above != whole) above = above.parent_path();
+  if (is_standard(file) || above != whole) return true;
+  print_error(file, "the folder " + folder + " is the program's own; a mesh needs another one");
+  status = kUsage;
+  return false;
+}
+
 int save_mesh(const std::string& path, const MeshView& mesh, const FileOptions& options,
               WriteReport* report) {
   int status = kOk;

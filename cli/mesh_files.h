@@ -66,6 +66,10 @@ bool names_same_file(const std::string& a, const std::string& b);
 /// Whether `output` is another file than `input`; if not, says so.
 bool check_keeps_input(const std::string& input, const std::string& output, int& status);
 
+/// Whether the mesh `file` is outside `folder`, where the program removes what it did not write; if not, says
+/// so.
+bool check_is_outside(const std::string& folder, const std::string& file, int& status);
+
 /// Writes a mesh, whole or not at all; returns the exit code. `report` gets what the format cannot hold;
 /// without one it is printed.
 int save_mesh(const std::string& path, const MeshView& mesh, const FileOptions& options = {},

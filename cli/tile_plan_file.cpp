@@ -129,6 +129,8 @@ Result<FiledPlan> load_plan(const std::string& folder) {
     for (const Tile& tile : plan.plan.tiles)
       for (const std::uint32_t mesh : tile.meshes)
         (void)plan.files.at(mesh), (void)plan.plan.mesh_hashes.at(mesh);
+    if (plan.plan.tiles.empty())
+      return Error{.code = ErrorCode::kCorrupt, .message = "tiles/plan.json has no tiles"};
   } catch (const std::exception&) {
     return Error{.code = ErrorCode::kCorrupt, .message = "tiles/plan.json is not a plan of tiles"};
   }

@@ -28,7 +28,11 @@ struct Folders {
 
 int run_join(const Folders& folders) {
   int status = kOk;
-  if (!check_mesh_suffix(folders.second, status, folders.files)) return status;
+  if (!check_mesh_suffix(folders.second, status, folders.files) ||
+      !check_is_outside(folders.first + "/parts", folders.second, status) ||
+      !check_keeps_input(folders.first + "/map.dmm", folders.second, status) ||
+      !check_keeps_input(folders.first + "/bounds.json", folders.second, status))
+    return status;
   const auto state = load_state(folders.first, status);
   if (!state) return status;
   if (const int top = top_level(keys_of(state->manifest)); folders.level > top) {

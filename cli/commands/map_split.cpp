@@ -34,6 +34,7 @@ int run_split(const Splitting& splitting) {
   if (const Result<void> valid = validate(splitting.settings); !valid)
     return fail("map split", valid.error());
   int status = kOk;
+  if (!check_is_outside(splitting.folder + "/parts", splitting.in, status)) return status;
   auto imported = load_faces(splitting.in, status, splitting.files);
   if (!imported) return status;
   imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
@@ -123,8 +124,9 @@ void add_map_split(CLI::App& map, int& status) {
   command->add_flag("--json", splitting->json, "print one JSON object to standard output");
   command->footer(
       "Percentages count in the diagonal of the whole mesh when they are first asked for, and stay what they "
-      "were then, however the map grows. Where DIR holds a map, other bounds than those asked before replace "
-      "them, all of them; without any those from before are kept. Parts that stay as they are keep their "
+      "were then, however the map grows. Where DIR holds a map, other bounds on positions than those asked "
+      "before replace them, all of them; without any those from before are kept, but not those of "
+      "attributes. Parts that stay as they are keep their "
       "files; those whose file is missing or damaged are written again.\n\n"
       "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"
       "Example:\n  deltamesh map split kitchen.ply kitchen.map --part-edge 2 --max-error 0.001\n");

@@ -73,6 +73,7 @@ int run_plan(const Planning& planning) {
   double uv_scale = 1;
   for (const std::string& file : planning.files) {
     int status = kOk;
+    if (!check_is_outside(planning.folder + "/tiles", file, status)) return status;
     const auto imported = load_mesh(file, status, planning.options);
     if (!imported) return status;
     for (const LeftOut& entry : imported->report.left_out)

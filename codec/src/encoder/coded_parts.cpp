@@ -133,10 +133,15 @@ class SharedBudget {
     bool may_be_exact = request_.coder != GeometryCoder::kHighpass;
     while (!bracket.is_done()) {
       const double scale = bracket.setting();
-      DELTAMESH_TRY(Parts parts, code(scale, scale));
-      fewest_ = std::min(fewest_, parts.bytes);
-      const bool is_ample = excess(parts) < kAmple || (excess(parts) <= 0 && scale <= kFinest);
-      if (bracket.tell(excess(parts))) best_ = std::move(parts);
+      auto parts = code(scale, scale);
+      if (!parts && !best_) return parts.error();
+      if (!parts) {  // finer than the coder can
+        bracket.tell(std::numeric_limits<double>::infinity());
+        continue;
+      }
+      fewest_ = std::min(fewest_, parts->bytes);
+      const bool is_ample = excess(*parts) < kAmple || (excess(*parts) <= 0 && scale <= kFinest);
+      if (bracket.tell(excess(*parts))) best_ = *std::move(parts);
       if (is_ample && std::exchange(may_be_exact, false)) {
         DELTAMESH_CHECK(try_exactly());
         if (is_exact_) return {};
@@ -185,8 +190,9 @@ class SharedBudget {
   Result<void> refine_places() {
     Bracket bracket = refinement(1);
     while (!bracket.is_done()) {
-      DELTAMESH_TRY(Parts parts, code(bracket.setting(), scale_of_attributes_));
-      if (bracket.tell(excess(parts))) best_ = std::move(parts);
+      auto parts = code(bracket.setting(), scale_of_attributes_);
+      if (bracket.tell(parts ? excess(*parts) : std::numeric_limits<double>::infinity()))
+        best_ = *std::move(parts);
     }
     return {};
   }

@@ -60,8 +60,9 @@ Result<std::vector<PackedPrimitive>> pack_streams(StreamPacker& packer, const st
     auto primitives = packer.pack(plans[i], options, report);
     const bool is_too_large = !primitives && primitives.error().code == ErrorCode::kUnmetRequest;
     if (most_bytes && ((is_too_large && plans.size() > 1) || report.stream_bytes > *most_bytes))
-      return Error{.code = ErrorCode::kUnmetRequest,
-                   .message = "the bytes asked for are too few for the asset's streams together"};
+      return Error{
+          .code = ErrorCode::kUnmetRequest,
+          .message = "one of the asset's streams does not get as small as its share of the bytes asked for"};
     if (!primitives) return primitives.error();
     packed.insert(packed.end(), std::make_move_iterator(primitives->begin()),
                   std::make_move_iterator(primitives->end()));

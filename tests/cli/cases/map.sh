@@ -78,3 +78,13 @@ rm -r damaged.map out.ply
 status map
 rm -r a.json info.json a.dmsh b.dmsh
 list
+say "what a map is made of is not removed or replaced:"
+mkdir -p own.map/parts
+cp rooms.ply own.map/parts/x.part.ply
+run map split own.map/parts/x.part.ply own.map --part-edge 2
+cmp rooms.ply own.map/parts/x.part.ply
+rm -r own.map
+quiet map split rooms.ply own.map --part-edge 2 --max-error 0.004
+run map join own.map own.map/map.dmm --format ply
+quiet verify own.map
+rm -r own.map

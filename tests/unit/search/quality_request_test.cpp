@@ -334,6 +334,14 @@ TEST(QualityRequest, VdeAloneImpliesALargestError) {
   EXPECT_EQ(nothing.error().code, ErrorCode::kInvalidArgument);
 }
 
+TEST(QualityRequest, MoreBytesThanTheFinestStepTakesAreNoError) {
+  const Mesh mesh = test::attributed_grid(20, 20);
+  const EncodeOptions options{.quality = {.target_bytes = 1'000'000}, .geometry = GeometryCoder::kHighpass};
+  const auto encoded = encode(mesh, options);
+  ASSERT_TRUE(encoded) << describe(encoded.error());
+  EXPECT_LE(encoded->bytes.size(), 1'000'000);
+}
+
 TEST(QualityRequest, ProgressNeverFalls) {
   const Mesh mesh = test::attributed_grid(40, 40);
   for (const QualityRequest& quality :
