@@ -21,8 +21,9 @@ enum class Use : std::uint8_t { kRead, kWrite };
 
 std::string no_format_text(const std::string& path, const FileOptions& options, Use use) {
   if (is_standard(path))
-    return options.are_options ? "--format must say what is piped: ply, obj, stl, off, gltf or glb"
-                               : "nothing is piped here: a file's suffix says its format";
+    return options.are_options
+               ? "--format must say what is piped: ply, obj, stl, off, gltf or glb"
+               : "this command writes no pipe; give a file name, whose suffix says the format";
   if (is_stream(path))
     return use == Use::kRead
                ? "this is a stream, not a mesh file; `deltamesh decode` makes a mesh of it"
@@ -174,7 +175,7 @@ bool check_is_outside(const std::string& folder, const std::string& file, int& s
   fs::path above = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
   while (above.has_relative_path() && above != whole) above = above.parent_path();
   if (is_standard(file) || above != whole) return true;
-  print_error(file, "the folder " + folder + " is the program's own; a mesh needs another one");
+  print_error(file, "files in " + folder + " are removed when it is written; keep the mesh elsewhere");
   status = kUsage;
   return false;
 }

@@ -75,7 +75,7 @@ void print_summary(const CompareArguments& arguments, const Losses& losses, cons
     summary.add("faces", grouped(result.matched_faces) + " in both, " + grouped(result.unmatched_faces_a) +
                              " only in A, " + grouped(result.unmatched_faces_b) + " only in B");
     if (arguments.b.ends_with(".dmsh") && arguments.order.empty())
-      summary.add("", "--order tells which vertices of a stream are whose: see the help");
+      summary.add("", "the file of `encode --order-out`, given as --order, pairs the vertices of a stream");
     summary.add("rms", of_diagonal(result.surface_rms, result.diagonal));
     summary.add("max", of_diagonal(result.surface_max, result.diagonal));
   }

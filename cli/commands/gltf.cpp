@@ -66,7 +66,8 @@ void print_summary(const GltfArguments& arguments, const char* converted, const 
   summary.add("primitives", grouped(report.converted) + " of " + grouped(report.primitives) + ' ' +
                                 converted + ", " + counted(report.streams, "stream", "streams"));
   const std::uint64_t left = report.primitives - report.converted;
-  if (left > 0 && converted == std::string("compressed"))
+  const bool packs = converted == std::string("compressed");
+  if (left > 0 && packs)
     summary.add("left as is", grouped(report.not_triangles) + " without a triangle list, " +
                                   grouped(report.not_float_positions) + " with quantised positions, " +
                                   grouped(report.otherwise_compressed) + " otherwise compressed, " +
@@ -91,7 +92,7 @@ void print_summary(const GltfArguments& arguments, const char* converted, const 
     summary.add("max error", brief(report.max_error) + " (" + brief(report.max_error_percent) +
                                  " % of the diagonal of its mesh)");
   summary.add("asset", grouped(report.input_bytes) + " -> " + counted(report.output_bytes, "byte", "bytes"));
-  add_others(summary, report, converted == std::string("compressed"));
+  add_others(summary, report, packs);
   if (report.copied_files > 0)
     summary.add("copied", counted(report.copied_files, "file", "files") + " that the asset names");
   if (report.missing_files > 0)

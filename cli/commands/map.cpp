@@ -37,7 +37,7 @@ int run_join(const Folders& folders) {
   if (!state) return status;
   if (const int top = top_level(keys_of(state->manifest)); folders.level > top) {
     print_error("--level " + std::to_string(folders.level),
-                folders.first + " is seen on the levels 0 to " + std::to_string(top));
+                folders.first + " has the levels 0 to " + std::to_string(top));
     return kUsage;
   }
   const Result<Mesh> mesh = decode_map(*state, {}, folders.level);

@@ -125,9 +125,9 @@ void add_map_split(CLI::App& map, int& status) {
   command->footer(
       "Percentages count in the diagonal of the whole mesh when they are first asked for, and stay what they "
       "were then, however the map grows. Where DIR holds a map, other bounds on positions than those asked "
-      "before replace them, all of them; without any those from before are kept, but not those of "
-      "attributes. Parts that stay as they are keep their "
-      "files; those whose file is missing or damaged are written again.\n\n"
+      "before replace them, all of them; without any, those are kept. Bounds on attributes are not kept. "
+      "Parts that stay as they are keep their files; those whose file is missing or damaged are written "
+      "again.\n\n"
       "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"
       "Example:\n  deltamesh map split kitchen.ply kitchen.map --part-edge 2 --max-error 0.001\n");
   command->callback([splitting, &status] { status = run_split(*splitting); });
