@@ -17,11 +17,14 @@
 namespace deltamesh {
 namespace {
 
-/// Where the bytes of an asset at `in` are, and those of its converted copy at `out` go.
-Result<GltfIo> file_io(const std::filesystem::path& in, const std::string& out, std::string& buffer_path) {
+/// Where the bytes of an asset at `in` are, and those of its converted copy at `out` go. `read`: gets the
+/// files that are read besides, and must outlive the result.
+Result<GltfIo> file_io(const std::filesystem::path& in, const std::string& out, std::string& buffer_path,
+                       std::vector<std::filesystem::path>& read) {
   GltfIo io;
-  io.resolve = [folder = in.parent_path()](std::string_view uri) {
-    return read_file((folder / uri).string());
+  io.resolve = [folder = in.parent_path(), &read](std::string_view uri) {
+    read.push_back(folder / uri);
+    return read_file(read.back().string());
   };
   DELTAMESH_TRY(const auto format, format_of_path(out));
   if (format == FileFormat::kGlb) return io;
@@ -88,9 +91,16 @@ Result<void> write_copy(const NamedFile& file) {
 template <class Convert>
 Result<GltfReport> convert_file(const std::string& in, const std::string& out, Convert&& convert) {
   std::string buffer_path;
-  DELTAMESH_TRY(const GltfIo io, file_io(in, out, buffer_path));
+  std::vector<std::filesystem::path> read;
+  DELTAMESH_TRY(const GltfIo io, file_io(in, out, buffer_path, read));
   DELTAMESH_TRY(const auto asset, read_file(in));
   DELTAMESH_TRY(GltfOutput output, convert(asset, io));
+  std::error_code absent;
+  for (const std::filesystem::path& file : read)
+    if (!output.buffer.empty() && std::filesystem::equivalent(file, buffer_path, absent))
+      return with_found(
+          {.code = ErrorCode::kFileWrite, .message = "the new buffer would replace one of the asset"},
+          std::filesystem::path(buffer_path).filename().string());
   DELTAMESH_TRY(const auto files, files_to_copy(output.uris, in, out, {out, buffer_path}, output.report));
   for (const NamedFile& file : files) DELTAMESH_CHECK(write_copy(file));
   output.report.copied_files = files.size();

@@ -26,7 +26,11 @@ cmp same.glb plain.glb && say "the asset is not replaced"
 run gltf pack same.glb -
 run gltf pack plain.glb small.glb --target-bytes 100
 quiet gltf pack plain.glb parts.gltf --lossless
-rm parts.bin
+sed 's/parts.bin/other.bin/' parts.gltf >renamed.gltf
+cp parts.bin other.bin
+run gltf pack renamed.gltf other.gltf
+cmp parts.bin other.bin
+rm renamed.gltf other.bin parts.bin
 run gltf pack parts.gltf whole.glb
 run encode parts.gltf whole.dmsh
 rm parts.gltf
