@@ -4,7 +4,7 @@ import math
 import numpy as np
 
 from attr_colors import ATTR_46_value
-from coder import Coder, Mixture, ScaledCoder, bits, clamp
+from coder import Coder, Fresh, ScaledCoder, SymbolModel, bits, clamp
 from container import must
 from graph import neighbours
 
@@ -192,19 +192,17 @@ class HaarCoder:  # HAAR-7 to HAAR-13
 
 def fresh_numbers():  # HAAR-12
     numbers = ScaledCoder()
-    numbers.models = FreshModels()
+    numbers.models = Fresh(HAAR_12_fresh)
     return numbers
 
-class FreshModels(dict):
-    """[HAAR-12] Models by table and number."""
-    def __missing__(self, key):
-        table, number = key
-        j, x = number // 9 if table == 0 else 2 * (number // 36), [200]
-        m = ((4 + j % 4) << (j // 4)) - 3
-        while len(x) < 8:
-            x.append(max(x[-1] * m // (m + 12), 1))
-        self[key] = Mixture([x[abs(s - 7)] for s in range(15)] + [x[7]]).models[key]
-        return self[key]
+def HAAR_12_fresh(key):
+    """The model of a table and number."""
+    table, number = key
+    j, x = number // 9 if table == 0 else 2 * (number // 36), [200]
+    m = ((4 + j % 4) << (j // 4)) - 3
+    while len(x) < 8:
+        x.append(max(x[-1] * m // (m + 12), 1))
+    return SymbolModel([x[abs(s - 7)] for s in range(15)] + [x[7]])
 
 def HAAR_15_number(Y, low, unit, type_):
     x = low + unit * Y / 64

@@ -48,6 +48,27 @@ class BitModel:
         self.g += (65535 * bit - self.g) >> 7
         return int(bit)
 
+class CountedBit:
+    """[GRD-2]"""
+    def __init__(self, first=32768):
+        self.f, self.counter = first, 0
+
+    def decode(self, coder):
+        p = clamp(self.f >> 1, 32, 32736)
+        bit = coder.slot() < p
+        coder.take(*((0, p) if bit else (p, 2**15 - p)))
+        self.f += (65535 * bit - self.f) >> (min(bits(self.counter + 1), 6) if self.counter < 80 else 7)
+        self.counter += 1
+        return int(bit)
+
+class Fresh(dict):
+    """Models by their numbers, each of which begins as `make` of the number says."""
+    def __init__(self, make):
+        self.make = make
+
+    def __missing__(self, number):
+        return self.setdefault(number, self.make(number))
+
 def symbol_models(weights):  # CMP-4
     return defaultdict(lambda: SymbolModel(weights))
 

@@ -2,10 +2,10 @@
 from collections import defaultdict, deque
 from logging import debug
 
-from coder import Coder, Mixture, NumberModel, States, SymbolModel, bits, clamp
+from coder import Coder, CountedBit, Fresh, Mixture, NumberModel, States, SymbolModel, bits, clamp
 from container import must, unzigzag
 from glue import CONN_8_faces
-from known import MAP_28_flag, MAP_28_gone, MAP_28_sign, MAP_29_model, NothingKnown
+from known import MAP_28_flag, MAP_28_fresh_flag, MAP_28_fresh_gone, MAP_28_fresh_sign, MAP_28_gone, MAP_28_sign, MAP_29_model, NothingKnown
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
@@ -38,21 +38,28 @@ def face_corners(axis, high):  # GRD-6
 
 FACES = [face_corners(axis, high) for axis in range(3) for high in (0, 1)]
 
-class CountedBit:
-    """[GRD-2]"""
-    def __init__(self, first=32768):
-        self.f, self.counter = first, 0
+def GRD_3_fresh(number):
+    return CountedBit((49152, 24576, 8192, 4096)[min(number >> 3 & 7, 3)])
 
-    def decode(self, coder):
-        p = clamp(self.f >> 1, 32, 32736)
-        bit = coder.slot() < p
-        coder.take(*((0, p) if bit else (p, 2**15 - p)))
-        self.f += (65535 * bit - self.f) >> (min(bits(self.counter + 1), 6) if self.counter < 80 else 7)
-        self.counter += 1
-        return int(bit)
+def GRD_4_fresh(number):
+    return CountedBit((20000, 32768, 45536)[number % 3])
 
-def even_model(count):  # GRD-6, GRD-10
-    return SymbolModel([int(s < count) for s in range(16)])
+def even_weights(count):  # GRD-6, GRD-10
+    return [int(s < count) for s in range(16)]
+
+def even_model(count):
+    return SymbolModel(even_weights(count))
+
+def GRD_10_fresh(symbols):
+    """Models by table and number."""
+    def fresh(key):
+        table, number = key
+        c, weights = number // 24, even_weights(symbols)
+        if table == 1 and c:
+            for s in range(symbols):
+                weights[s] = max(3072 // (64 + (32 * (2 * s + 1) // symbols - 32 - (4 * c - 42))**2), 1)
+        return SymbolModel(weights)
+    return fresh
 
 class Patterns:
     """[GRD-5, GRD-6] Patterns that are known, and the models of new ones."""
@@ -115,10 +122,10 @@ class Surface:
     def __init__(self, coder, header, most_faces, states, known):
         self.coder, self.header, self.most_faces, self.width = coder, header, most_faces, 2 * header.levels
         self.nodes, self.faces, self.edges, self.inner, self.count, self.bricks = {}, [], {}, {}, 0, set()
-        learnt = states.models("grid", flags=defaultdict(CountedBit), signs=defaultdict(CountedBit), patterns=Patterns())
+        learnt = states.models("grid", flags=Fresh(GRD_3_fresh), signs=Fresh(GRD_4_fresh), patterns=Patterns())
         self.flags, self.signs, self.patterns = learnt.flags, learnt.signs, learnt.patterns
         self.without, self.seen, self.waiting, self.known = defaultdict(lambda: [0, 0]), set(), deque(), known
-        self.beside = {of: defaultdict(CountedBit) for of in ("flags", "signs", "gone")}  # [MAP-28]
+        self.beside = {"flags": Fresh(MAP_28_fresh_flag), "signs": Fresh(MAP_28_fresh_sign), "gone": Fresh(MAP_28_fresh_gone)}
         self.GRD_7_grow()
 
     def GRD_7_grow(self):
@@ -219,7 +226,8 @@ class Levels:
         former = {edge: 32 * (2 * level + 1) // self.levels - 32 for edge, level in known.levels.items()}  # [MAP-29]
         self.cuts = {edge: cut for edge, cut in former.items() if known.kept[edge]}
         g = max(bits(self.levels - 1) - 4, 0)
-        fresh = Mixture([int(h <= (self.levels - 1) >> g) for h in range(16)])
+        fresh = Mixture(even_weights(16))
+        fresh.models = Fresh(GRD_10_fresh(((self.levels - 1) >> g) + 1))
         models = states.models(("levels", self.levels), places=fresh).places
         def place(edge):
             (x, y, z), (bx, by, bz) = edge[1], brick_of(edge[1])

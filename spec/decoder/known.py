@@ -2,7 +2,7 @@
 import math
 from collections import defaultdict
 
-from coder import clamp
+from coder import CountedBit, clamp
 from container import must
 
 CORNERS = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
@@ -86,6 +86,18 @@ def MAP_30_level(x, kind, level_bits):
 
 def MAP_28_wrong(known, nodes, own):
     return min(sum(node in nodes and nodes[node] != known.states.get(node, nodes[node]) for node in own), 3)
+
+def likely(is_likely):  # MAP-28
+    return CountedBit(61000 if is_likely else 4535)
+
+def MAP_28_fresh_flag(number):
+    return likely(number // 12 & 1)
+
+def MAP_28_fresh_sign(number):
+    return likely(number & 1)
+
+def MAP_28_fresh_gone(number):
+    return likely(not number & 1)
 
 def MAP_28_flag(known, nodes, own, F):
     """The model of a cube with a kind; `own`: its corners."""

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import xxhash
 
-from coder import BitModel, Coder, NumberModel
+from coder import BitModel, Coder, CountedBit, NumberModel
 from container import Reader, must, unzigzag
 from graph import MAP_11_ends, open_edges
 from mesh import Mesh
@@ -51,8 +51,8 @@ def no_part_like(base):  # MAP-17
     return mesh
 
 def MAP_17_staying(plan, faces):
-    """For every face whether it stays. A model's number is 4 s + g."""
-    models = [BitModel(2**15 if s == g else 15 * 2**12 if s > g else 2**12) for s in range(4) for g in range(4)]
+    """For every face whether it stays. A model's number is 8 s + 2 g + (1 if the face before stays)."""
+    models = [CountedBit(2**15 if s == g else 15 * 2**12 if s > g else 2**12) for s in range(4) for g in range(4) for _ in range(2)]
     last, stays = {}, []
     for f, face in enumerate(faces):
         count = [0, 0]
@@ -61,17 +61,27 @@ def MAP_17_staying(plan, faces):
             if last.get(edge, f) != f:
                 count[stays[last[edge]]] += 1
             last[edge] = f
-        stays.append(models[4 * count[1] + count[0]].decode(plan))
+        before = stays[-1] if stays else 1
+        stays.append(models[8 * count[1] + 2 * count[0] + before].decode(plan))
     return stays
 
 def MAP_17_joined(plan, base, kept, inserted):
     """Of inserted vertices the base's vertex that they are joined to."""
     models = SimpleNamespace(joins=[BitModel() for _ in range(6)], candidates=NumberModel(), places=NumberModel())
     edges = open_edges(kept, len(base.positions))
-    by_x = sorted((v for v in range(len(edges)) if edges[v]), key=lambda v: (base.positions[v][0], v))
-    joins, taken = {}, set()
+    by_place = sorted((v for v in range(len(edges)) if edges[v]), key=lambda v: (*base.positions[v], v))
+    twins, is_twin, joins, taken = {}, CountedBit(15 * 2**12), {}, set()
+    for v in by_place:
+        twins.setdefault(tuple(base.positions[v]), v)
     for v, on, context in MAP_11_ends(inserted.faces, len(inserted.positions), joins):
-        if context is None or not models.joins[context].decode(plan):
+        if context is None:
+            continue
+        twin = twins.get(tuple(inserted.positions[v]))
+        if twin is not None and twin not in taken and is_twin.decode(plan):
+            joins[v] = twin
+            taken.add(twin)
+            continue
+        if not models.joins[context].decode(plan):
             continue
         place = inserted.positions[v].astype(float)
         near = edges[joins[on[-1]]][:MOST_CANDIDATES] if on else []
@@ -81,9 +91,9 @@ def MAP_17_joined(plan, base, kept, inserted):
         if number < len(near):
             to = near[number]
         else:
-            at = sum(base.positions[u][0] < place[0] for u in by_x) + unzigzag(models.places.decode(plan))
-            must(0 <= at < len(by_x), "MAP-17", f"place {at}")
-            to = by_x[at]
+            at = sum(base.positions[u][0] < place[0] for u in by_place) + unzigzag(models.places.decode(plan))
+            must(0 <= at < len(by_place), "MAP-17", f"place {at}")
+            to = by_place[at]
         must(to not in taken, "MAP-17", "two vertices are joined to one")
         taken.add(to)
         joins[v] = to

@@ -4,6 +4,7 @@
 // All that the grid coder learns.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -68,6 +69,15 @@ struct GrowthModels {
   static constexpr std::size_t kFlags = 256 * 64;
   static constexpr std::size_t kSigns = 3 * 2187;
   static constexpr SymbolModel kFreshRank{{0, 4, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4}};
+  /// By how many cubes across faces have none, 3 at most [GRD-3].
+  static constexpr std::array<std::uint16_t, 4> kFreshFlags = {3 << 14, 3 << 13, 1 << 13, 1 << 12};
+  static constexpr std::array<std::uint16_t, 3> kFreshSigns = {20000, 32768, 45536};  ///< by majority [GRD-4]
+
+  GrowthModels() {
+    for (std::size_t i = 0; i < kFlags; ++i)
+      flags[i] = CountedBit(kFreshFlags[std::min<std::size_t>(i >> 3 & 7, 3)]);
+    for (std::size_t i = 0; i < kSigns; ++i) signs[i] = CountedBit(kFreshSigns[i % 3]);
+  }
 
   std::array<CountedBit, kFlags> flags;
   std::array<CountedBit, kSigns> signs;

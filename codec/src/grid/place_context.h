@@ -56,7 +56,13 @@ struct PlaceContext {
   unsigned weights;  ///< set of mixing weights
 };
 inline constexpr std::size_t kEndContexts = 8 * 8 * 6;
-inline constexpr std::size_t kSmoothContexts = 21 * 4 * 6;
+inline constexpr unsigned kSmoothClasses = 21;  ///< of places by candidates; 0 without
+inline constexpr std::size_t kOfSmoothClass = 4 * 6;
+inline constexpr std::size_t kSmoothContexts = kSmoothClasses * kOfSmoothClass;
+/// The middle of the places of a class, from 1 on.
+constexpr int smooth_of_class(unsigned smooth_class) noexcept {
+  return 4 * static_cast<int>(smooth_class) - 42;
+}
 inline constexpr std::size_t kPlaceWeights = 16;
 
 /// All without branches, which would often go wrong: what is known is -1, else 0, and selects by `&`.

@@ -4,6 +4,7 @@
 // Where edges are cut, all nodes and faces being known [GRD-9, GRD-10]. One template for both directions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -29,18 +30,35 @@ struct PlaceModels {
     const auto bits = static_cast<unsigned>(std::bit_width((levels - 1) / kSymbols));
     return bits;
   }
-  explicit PlaceModels(std::uint32_t levels)
-      : ends(kEndContexts, even_model(((levels - 1) >> raw_bits(levels)) + 1)),
-        smooth(kSmoothContexts, even_model(((levels - 1) >> raw_bits(levels)) + 1)) {}
+  explicit PlaceModels(std::uint32_t levels) : smooth(kSmoothContexts) {
+    const unsigned symbols = ((levels - 1) >> raw_bits(levels)) + 1;
+    const SymbolModel even = even_model(symbols);
+    ends = SymbolModels(kEndContexts, even);
+    smooth.fill(0, kOfSmoothClass, even);
+    for (unsigned c = 1; c < kSmoothClasses; ++c)
+      smooth.fill(c * kOfSmoothClass, kOfSmoothClass, near_model(symbols, smooth_of_class(c)));
+  }
 
   void limit_counts(std::uint8_t most) noexcept {
     ends.limit_counts(most);
     smooth.limit_counts(most);
   }
 
-  SymbolModels ends;
+  SymbolModels ends{0};
   SymbolModels smooth;
   std::array<MixWeights, kPlaceWeights> weights;
+
+ private:
+  /// Most likely near `place`, 64ths of an edge from its middle: weights fall with the square of the
+  /// distance.
+  static SymbolModel near_model(unsigned symbols, int place) noexcept {
+    std::array<std::uint8_t, kSymbols> weights{};
+    for (unsigned s = 0; s < symbols; ++s) {
+      const int way = static_cast<int>(32 * (2 * s + 1) / symbols) - kHalfEdge - place;
+      weights[s] = static_cast<std::uint8_t>(std::max(3072 / (64 + way * way), 1));
+    }
+    return SymbolModel(weights);
+  }
 };
 
 template <class Coder>

@@ -19,7 +19,13 @@ namespace deltamesh::grid {
 class KnownGrowth {
  public:
   /// `surface`: null where nothing is known.
-  explicit KnownGrowth(const KnownSurface* surface) noexcept : surface_(surface) {}
+  explicit KnownGrowth(const KnownSurface* surface) noexcept : surface_(surface) {
+    constexpr CountedBit kLikely(61000);
+    constexpr CountedBit kUnlikely(65535 - 61000);
+    for (std::size_t i = 0; i < flags_.size(); ++i) flags_[i] = (i / kOfMixed & 1) != 0 ? kLikely : kUnlikely;
+    for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = (i & 1) != 0 ? kLikely : kUnlikely;
+    for (std::size_t i = 0; i < patterns_.size(); ++i) patterns_[i] = (i & 1) == 0 ? kLikely : kUnlikely;
+  }
 
   /// Nodes of cubes with faces that stay are known, and cubes with faces that go wait.
   void begin(Bricks& bricks, WaitingCubes& waiting) const {
@@ -39,7 +45,7 @@ class KnownGrowth {
     const unsigned count = corners.known() == 255 ? 2 : corners.known() != 0 ? 1 : 0;
     const unsigned index =
         ((known->cubes[place] - 1U) * 4 + wrong_corners(corners, Corners(*known, place))) * 2 + is_mixed;
-    return &flags_[(index * 3 + count) * 4 + std::min(faceless, 3U)];
+    return &flags_[index * kOfMixed + count * 4 + std::min(faceless, 3U)];
   }
 
   /// Likewise, of a corner that is not known. `majority`: see Window.
@@ -74,6 +80,9 @@ class KnownGrowth {
   }
 
  private:
+  static constexpr std::size_t kOfMixed =
+      3 * 4;  ///< models of flags with the same `is_mixed` and those before
+
   void set_corners(Bricks& bricks, const KnownSurface::Cube& cube) const {
     const Corners before(*cube.brick, cube.place);
     bricks.set_corners(bricks.get(cube.brick->at), cube.place, before.outside, before.inside);
@@ -95,7 +104,7 @@ class KnownGrowth {
   const KnownSurface* surface_;
   std::uint32_t last_ = 0xffffffff;  ///< brick that find() was asked for, and what it found
   const Brick* known_ = nullptr;
-  std::array<CountedBit, std::size_t{3} * 4 * 2 * 3 * 4> flags_;
+  std::array<CountedBit, std::size_t{3} * 4 * 2 * kOfMixed> flags_;
   std::array<CountedBit, std::size_t{4} * 3 * 16 * 2> signs_;
   std::array<CountedBit, 4> patterns_;
 };
