@@ -62,11 +62,11 @@ class CountedBit:
         return int(bit)
 
 class Fresh(dict):
-    """Models by their numbers, each of which begins as `make` of the number says."""
-    def __init__(self, make):
+    """[CMP-4, GRD-2] Models by their numbers, each of which begins as `make` of the number says."""
+    def __init__(self, make):  # CMP-4, GRD-2
         self.make = make
 
-    def __missing__(self, number):
+    def __missing__(self, number):  # CMP-4, GRD-2
         return self.setdefault(number, self.make(number))
 
 def symbol_models(weights):  # CMP-4

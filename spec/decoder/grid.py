@@ -47,7 +47,7 @@ def GRD_4_fresh(number):
 def even_weights(count):  # GRD-6, GRD-10
     return [int(s < count) for s in range(16)]
 
-def even_model(count):
+def even_model(count):  # GRD-6
     return SymbolModel(even_weights(count))
 
 def GRD_10_fresh(symbols):
