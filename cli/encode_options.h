@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "deltamesh/encode.h"
-#include "deltamesh/map/part.h"
+#include "deltamesh/map/part_quality.h"
 
 namespace deltamesh::cli {
 

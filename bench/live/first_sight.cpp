@@ -6,6 +6,7 @@
 #include <ctime>
 #include <vector>
 
+#include "deltamesh/map/messages.h"
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "live/link.h"
@@ -77,7 +78,11 @@ FirstSight measure_first_sight(const MapUpdates& map, std::uint8_t copy_level, d
       std::vector<std::vector<std::byte>> messages;
       const double call = milliseconds_of([&] { messages = value_or_exit(sender.messages_for(1, now)); });
       sight.longest_call = std::max(sight.longest_call, call);
-      for (auto& message : messages) down.send(std::move(message), now);
+      for (auto& message : messages) {
+        const auto part = read_part(message);
+        if (part && !std::ranges::binary_search(finest, part->key)) sight.copy_bytes += message.size();
+        down.send(std::move(message), now);
+      }
     }
     for (const auto& message : down.take(now)) check_or_exit(receiver.apply(message));
     if (sight.all_seen < 0 && is_all_seen(finest, receiver)) sight.all_seen = now;

@@ -11,11 +11,12 @@
 namespace deltamesh::bench {
 
 struct FirstSight {
-  double all_seen = 0;      ///< seconds until all of the map is shown, however coarse
-  double all_there = 0;     ///< seconds until all is as asked for
-  std::uint64_t bytes = 0;  ///< to the receiver until then
-  double update = 0;        ///< processor time of the update with all blocks, milliseconds
-  double longest_call = 0;  ///< of messages_for(), processor time, milliseconds
+  double all_seen = 0;           ///< seconds until all of the map is shown, however coarse
+  double all_there = 0;          ///< seconds until all is as asked for
+  std::uint64_t bytes = 0;       ///< to the receiver until then
+  std::uint64_t copy_bytes = 0;  ///< of these, messages with coarser copies
+  double update = 0;             ///< processor time of the update with all blocks, milliseconds
+  double longest_call = 0;       ///< of messages_for(), processor time, milliseconds
 };
 
 /// `map`: one step with all blocks. `rate`: bytes per second of the link and of the view, in simulated time:

@@ -3,11 +3,14 @@
 #include "live/run.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "live/shown_state.h"
 #include "live/take_step.h"
+#include "live/udp_link.h"
 #include "support/errors.h"
 
 namespace deltamesh::bench {
@@ -19,6 +22,39 @@ constexpr double kSenderPeriod = 0.05;  // between calls without an occasion
 constexpr double kMostIdle = 0.2;       // that the map itself may take from change to change
 constexpr double kMostSettling = 60;
 
+/// Links in simulated time.
+struct Simulation {
+  explicit Simulation(const LiveSettings& settings)
+      : down(settings.link, settings.seed), up(settings.link, settings.seed + 1000) {}
+
+  void wait_until(double seconds) noexcept { time = seconds; }
+  double now() const noexcept { return time; }
+
+  double time = 0;
+  Link down;
+  Link up;
+};
+
+/// UDP in real time.
+struct Loopback {
+  explicit Loopback(const LiveSettings& settings)
+      : down(settings.link.loss, settings.seed), up(settings.link.loss, settings.seed + 1000) {}
+
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  void wait_until(double seconds) const {
+    std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(Seconds(seconds)));
+  }
+  double now() const { return Seconds(Clock::now() - begin).count(); }
+
+  Clock::time_point begin = Clock::now();
+  UdpLink down;
+  UdpLink up;
+};
+
+/// `Links`: Simulation or Loopback.
+template <class Links>
 class LiveRun {
  public:
   LiveRun(const MapUpdates& updates, const LiveSettings& settings)
@@ -27,8 +63,7 @@ class LiveRun {
         sender_(value_or_exit(MapSender::make(map_description(updates, settings.max_error * updates.voxel),
                                               {.message_bytes = settings.message_bytes}))),
         receiver_(1, sender_.description().id, {.message_bytes = settings.message_bytes}),
-        down_(settings.link, settings.seed),
-        up_(settings.link, settings.seed + 1000),
+        links_(settings),
         error_(kFarOff * updates.voxel) {
     View view;
     view.max_error = static_cast<float>(settings.max_error * updates.voxel);
@@ -43,19 +78,20 @@ class LiveRun {
     std::size_t next = 0;
     result_.settled = -1;
     for (std::uint64_t tick = 0;; ++tick) {
-      const double now = kTick * static_cast<double>(tick);
+      links_.wait_until(kTick * static_cast<double>(tick));
+      const double now = links_.now();
       if (now > result_.seconds + kMostSettling) break;
       bool has_occasion = false;
       if (next < updates && now >= static_cast<double>(next) * settings_.seconds_between_updates) {
         take_step(updates_.steps[next++], sender_);
         has_occasion = true;
       }
-      for (const auto& message : up_.take(now)) {
+      for (const auto& message : links_.up.take(now)) {
         check_or_exit(sender_.hear(message, now));
         has_occasion = true;
       }
-      if (has_occasion || now - called_ >= kSenderPeriod) send(now);
-      receive(now);
+      if (has_occasion || now - called_ >= kSenderPeriod) send(links_.now());
+      receive(links_.now());
       note_idle(now);
       if (tick % kTicksPerSample == 0) sample(now);
       if (now >= result_.seconds && is_settled()) {
@@ -63,8 +99,8 @@ class LiveRun {
         break;
       }
     }
-    result_.bytes = down_.bytes();
-    result_.bytes_back = up_.bytes();
+    result_.bytes = links_.down.bytes();
+    result_.bytes_back = links_.up.bytes();
     return result_;
   }
 
@@ -72,21 +108,22 @@ class LiveRun {
   void send(double now) {
     called_ = now;
     if (sender_.viewers().empty()) return;
-    for (auto& message : value_or_exit(sender_.messages_for(1, now))) down_.send(std::move(message), now);
+    for (auto& message : value_or_exit(sender_.messages_for(1, now)))
+      links_.down.send(std::move(message), now);
   }
 
   void receive(double now) {
-    for (const auto& message : down_.take(now)) (void)receiver_.apply(message).has_value();
+    for (const auto& message : links_.down.take(now)) (void)receiver_.apply(message).has_value();
     const ShownChange change = receiver_.take_change();
     if ((!change.changed.empty() || !change.removed.empty()) && now <= result_.seconds)
       result_.changes.push_back(now);
-    for (auto& message : value_or_exit(receiver_.messages(now))) up_.send(std::move(message), now);
+    for (auto& message : value_or_exit(receiver_.messages(now))) links_.up.send(std::move(message), now);
   }
 
   void sample(double now) {
     const ShownAges::Age age = ages_.at(now, sender_, receiver_);
     const double error = settings_.has_errors ? error_.of(sender_, receiver_) / updates_.voxel : 0;
-    result_.samples.push_back({now, down_.bytes(), age.behind, age.oldest, error});
+    result_.samples.push_back({now, links_.down.bytes(), age.behind, age.oldest, error});
   }
 
   void note_idle(double now) {
@@ -118,8 +155,7 @@ class LiveRun {
   LiveSettings settings_;
   MapSender sender_;
   MapReceiver receiver_;
-  Link down_;
-  Link up_;
+  Links links_;
   double called_ = -1;
   ShownAges ages_{};
   ShownError error_;
@@ -149,7 +185,11 @@ std::vector<double> freezes(const LiveResult& result, const LiveResult& referenc
 }
 
 LiveResult run_live(const MapUpdates& updates, const LiveSettings& settings) {
-  return LiveRun(updates, settings).run();
+  return LiveRun<Simulation>(updates, settings).run();
+}
+
+LiveResult run_live_over_udp(const MapUpdates& updates, const LiveSettings& settings) {
+  return LiveRun<Loopback>(updates, settings).run();
 }
 
 }  // namespace deltamesh::bench

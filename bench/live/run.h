@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A map that changes, from a sender to a receiver over a link, in simulated time.
+// A map that changes, from a sender to a receiver over a link, in simulated time or over UDP.
 #pragma once
 
 #include <cstddef>
@@ -51,5 +51,9 @@ std::vector<double> freezes(const LiveResult& result, const LiveResult& referenc
 
 /// Library with default options. Exits where sender or receiver fails.
 LiveResult run_live(const MapUpdates& updates, const LiveSettings& settings);
+
+/// The same in real time, by datagrams on loopback; of the link's settings only the loss is the same. Ends a
+/// minute after the last update at the latest.
+LiveResult run_live_over_udp(const MapUpdates& updates, const LiveSettings& settings);
 
 }  // namespace deltamesh::bench

@@ -83,7 +83,11 @@ int main(int argc, char** argv) {
     }
     for (const std::uint64_t viewer : sender->viewers()) {
       const auto messages = sender->messages_for(viewer, time);
-      if (!messages) return std::puts(describe(messages.error()).c_str()), 1;
+      if (!messages) {  // of what this viewer said: the others get theirs
+        std::fprintf(stderr, "%s\n", describe(messages.error()).c_str());
+        sender->forget(viewer);
+        continue;
+      }
       for (const auto& message : *messages)
         sendto(link, message.data(), message.size(), 0, reinterpret_cast<sockaddr*>(&addresses[viewer]),
                sizeof from);

@@ -175,6 +175,39 @@ TEST(MapLimits, MAP15AHostileViewerCostsNoMoreThanItsLastMessage) {
   EXPECT_EQ(receiver.shown(), sender->keys());
 }
 
+/// A viewer who follows the protocol, and says that it holds thousands of parts that no sender sent.
+TEST(MapLimits, MAP15WhoSaysThatItHoldsWhatItDoesNotCostsLittleACall) {
+  constexpr std::int32_t kHeld = 4000;
+  constexpr double kMostSeconds = 0.6;  // of a view and the call that follows; usual are 0.05
+  for (const std::uint32_t rate : {0U, 10'000U}) {
+    const test::World world(40, 1);
+    auto sender = MapSender::make(test::World::description(), {.split = {.most_triangles = 1}});
+    ASSERT_TRUE(sender);
+    ASSERT_TRUE(world.tell(*sender, world.present()));
+    ViewMessage view{.viewer = 666,
+                     .map_id = test::World::description().id,
+                     .map = hash_of(sender->description()),
+                     .epoch = 1};
+    view.view.max_error = 0.05F;
+    view.view.bytes_per_second = rate;
+    for (std::int32_t k = 0; k < kHeld; ++k)
+      view.held.push_back({{static_cast<std::uint8_t>(k / 200), k % 200, 700, 7}, std::uint64_t{1} << 40, 1});
+    for (view.number = 1; view.number <= 12; ++view.number) {
+      const double now = 0.1 * static_cast<double>(view.number);
+      const auto message = write_view(view);
+      const double begin = processor_seconds();
+      ASSERT_TRUE(sender->hear(*message, now));
+      const auto messages = sender->messages_for(666, now);
+      EXPECT_LT(processor_seconds() - begin, kMostSeconds) << view.number;
+      ASSERT_TRUE(messages) << describe(messages.error());
+      view.receipt.highest += messages->size();
+      for (const auto& answer : *messages)
+        if (const auto start = read_start(answer)) view.start = start->start;
+    }
+    EXPECT_GT(view.start, 0U);
+  }
+}
+
 /// Each time other bounds, and versions of all parts that nobody knows.
 TEST(MapLimits, MAP15WhoAlwaysAsksForSomethingElseCostsEachPartOnceACallOrOnePartWhereItsTimeIsOver) {
   for (const double call_seconds : {std::numeric_limits<double>::infinity(), 1e-9}) {

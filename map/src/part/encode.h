@@ -10,6 +10,7 @@
 
 #include "deltamesh/known_mesh.h"
 #include "deltamesh/map/part.h"
+#include "deltamesh/map/part_quality.h"
 #include "deltamesh/result.h"
 #include "part/codec_state.h"
 

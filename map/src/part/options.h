@@ -5,7 +5,7 @@
 #pragma once
 
 #include "deltamesh/encode.h"
-#include "deltamesh/map/part.h"
+#include "deltamesh/map/part_quality.h"
 
 namespace deltamesh {
 

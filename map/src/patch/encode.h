@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "deltamesh/map/part.h"
+#include "deltamesh/map/part_quality.h"
 #include "deltamesh/result.h"
 #include "part/codec_state.h"
 #include "part/encode.h"

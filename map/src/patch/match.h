@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "deltamesh/attribute_quality.h"
 #include "deltamesh/map/part.h"
 
 namespace deltamesh {

@@ -46,6 +46,9 @@ class PatchPlanReader {
 /// vertices. `base`, `inserted`: with the same attributes; `inserted` may be without faces and attributes.
 MapPart put_together(const PartKey& key, const MapPart& base, const MapPart& inserted, const PatchPlan& plan);
 
+/// Corners of the faces that stay.
+std::vector<std::uint32_t> staying_triangles(const Mesh& base, const std::vector<std::uint8_t>& stays);
+
 /// The base's vertices that put_together() begins with, ascending.
 std::vector<std::uint32_t> staying_vertices(const Mesh& base, const PatchPlan& plan);
 

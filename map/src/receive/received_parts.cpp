@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "support/limits.h"
+#include "support/overlapping.h"
 
 namespace deltamesh {
 namespace {
@@ -94,18 +95,6 @@ const Version* ReceivedParts::effective(const PartKey& key) const noexcept {
   return version.content ? &version : nullptr;
 }
 
-/// Parts whose cells overlap that of `key`, other than itself.
-std::vector<PartKey> ReceivedParts::overlapping(const PartKey& key) const {
-  std::vector<PartKey> keys;
-  for (auto it = parts_.begin(); it != parts_.end() && it->first.level < key.level; ++it)
-    if (overlap(it->first, key)) keys.push_back(it->first);
-  for (int level = key.level + 1; level <= kMostPartLevel; ++level) {
-    const PartKey above = ancestor(key, static_cast<std::uint8_t>(level));
-    if (parts_.contains(above)) keys.push_back(above);
-  }
-  return keys;
-}
-
 /// A part that does not go with others is taken away if no view asks for it.
 bool ReceivedParts::makes_room(const PartKey& other, const std::function<bool(const PartKey&)>& is_wanted) {
   if (is_wanted(other)) return false;
@@ -133,8 +122,8 @@ bool ReceivedParts::fits(const PartKey& key, const Version& version,
       if (other != nullptr && !fit(key, version, linker, *other) && !gives_way(linker)) return false;
     }
   }
-  return std::ranges::all_of(overlapping(key), [&](const PartKey& other) {
-    return effective(other) == nullptr || gives_way(other);
+  return std::ranges::all_of(overlapping(parts_, key), [&](const PartKey& other) {
+    return other == key || effective(other) == nullptr || gives_way(other);
   });
 }
 

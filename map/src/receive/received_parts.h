@@ -79,7 +79,6 @@ class ReceivedParts {
                  const std::function<bool(const PartKey&)>& is_wanted);
   bool makes_room(const PartKey& other, const std::function<bool(const PartKey&)>& is_wanted);
   void drop(const PartKey& key, Version version);
-  std::vector<PartKey> overlapping(const PartKey& key) const;
   void show_accepted(std::set<PartKey>& touched);
   void evict(std::set<PartKey>& touched);
 

@@ -18,6 +18,7 @@ void MapSender::State::begin_call(Viewer& viewer, double now) {
   using Clock = std::chrono::steady_clock;
   constexpr double kNoLimit = 1e6;  // seconds
   const std::chrono::duration<double> time(std::min(options.call_seconds, kNoLimit));
+  links_made = 0;
   deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
   total.begin(static_cast<double>(options.bytes_per_second), now);
   viewer.allowance.begin(viewer.view.bytes_per_second, now,
@@ -26,7 +27,9 @@ void MapSender::State::begin_call(Viewer& viewer, double now) {
 
 bool MapSender::State::is_call_over(bool has_any) const {
   if (options.cancel != nullptr && options.cancel->load()) return true;
-  return has_any && std::chrono::steady_clock::now() >= deadline;
+  // A receiver that says that it has thousands of parts of another sender costs a link to each of them.
+  constexpr std::size_t kMostLinksMade = std::size_t{1} << 16;
+  return has_any && (links_made >= kMostLinksMade || std::chrono::steady_clock::now() >= deadline);
 }
 
 Result<void> MapSender::State::begin_epoch(std::uint32_t of_receiver) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "support/overlapping.h"
+
 namespace deltamesh {
 namespace {
 
@@ -28,7 +30,8 @@ std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& v
       has != viewer.has.end() && has->second.stage == Believed::Stage::kTold && !has->second.is_gone;
   // While a version waits, an older one may be shown.
   if (is_there && plan.staying.contains(key)) return has->second.is_waiting ? has->second.since : 0;
-  if (is_there || plan.needed.contains(key) || plan.removed.contains(key)) return sent.revision + 1;
+  const bool goes = plan.removed.contains(key) && !plan.staying.contains(key);
+  if (is_there || plan.needed.contains(key) || goes) return sent.revision + 1;
   // What has been sent is not the newest where the part is out of the view.
   if (has != viewer.has.end() && !viewer.may_get_later(key, has->second) &&
       (has->second.is_gone || plan.staying.contains(key)))
@@ -41,9 +44,10 @@ std::uint64_t least_of(const PartKey& key, const SentPart& sent, const Viewer& v
 /// shown beside it, even where they are far from it.
 PartBox box_with_earlier(const PartKey& key, const Mesh& mesh, const Viewer& viewer) {
   PartBox box = part_box(mesh);
-  for (const auto& [other, sent] : viewer.sent)
-    if (sent.extent && (other == key || (overlap(other, key) && viewer.has.contains(other))))
-      box.add(*sent.extent);
+  for (const PartKey& other : overlapping(viewer.sent, key)) {
+    const SentPart& sent = viewer.sent.at(other);
+    if (sent.extent && (other == key || viewer.has.contains(other))) box.add(*sent.extent);
+  }
   return box;
 }
 

@@ -52,7 +52,7 @@ class Planner {
     add_what_does_not_fit();
     for (const auto& [key, version] : kept_) plan_.staying.insert(key);
     for (const auto& [key, believed] : viewer_.has)
-      if (is_newest(key, believed) && !plan_.unwanted.contains(key)) plan_.staying.insert(key);
+      if (is_newest(key, believed)) plan_.staying.insert(key);
     for (const auto& [key, version] : kept_)
       if (version->content_revision != map_.find(key)->content_revision) ++plan_.kept;
     return std::move(plan_);
@@ -112,8 +112,7 @@ class Planner {
       const PartKey around = ancestor(key, static_cast<std::uint8_t>(level));
       const auto has = viewer_.has.find(around);
       if (has == viewer_.has.end()) continue;
-      if (has->second.is_gone && viewer_.sent.at(around).time <= waiting_since_) continue;
-      if (has->second.is_gone) return false;
+      if (has->second.is_gone) return false;  // until a view tells what became of it
       const auto is_inside = [&](const auto& entry) { return overlap(entry.first, around); };
       if (std::ranges::any_of(viewer_.due, is_inside)) return false;
       return std::ranges::none_of(viewer_.sent, [&](const auto& entry) {

@@ -10,6 +10,7 @@
 #include "base/try.h"
 #include "lattice/borders_of_links.h"
 #include "support/limits.h"
+#include "support/overlapping.h"
 
 namespace deltamesh {
 namespace {
@@ -177,24 +178,24 @@ void SourceMap::number_groups(const std::set<PartKey>& members, const Pairs& pai
 
 std::vector<PartLink> SourceMap::replacements_of(const PartKey& key) const {
   std::vector<PartLink> links;
-  for (const auto& [other, part] : parts_)
-    if (overlap(other, key)) links.push_back({.key = other, .border = kOthersInPlace, .together = true});
+  for (const PartKey& other : overlapping(parts_, key))
+    links.push_back({.key = other, .border = kOthersInPlace, .together = true});
   return links;
 }
 
 std::vector<PartLink> SourceMap::copies_in_place_of(const PartKey& key,
                                                     const std::set<PartKey>& wanted) const {
   std::vector<PartLink> links;
-  for (const PartKey& other : wanted)
-    if (overlap(other, key)) links.push_back({.key = other, .border = kCopiesInPlace, .together = true});
+  for (const PartKey& other : overlapping(wanted, key))
+    links.push_back({.key = other, .border = kCopiesInPlace, .together = true});
   if (!links.empty()) return links;
-  const auto other = std::ranges::find_if(
-      parts_, [&](const auto& part) { return part.first != key && overlap(part.first, key); });
+  const std::vector<PartKey> all = overlapping(parts_, key);
+  const auto other = std::ranges::find_if(all, [&](const PartKey& part) { return part != key; });
   // Where there is no other either, that of a cell around it will do [MAP-22].
   const PartKey around = key.level < kMostPartLevel
                              ? ancestor(key, key.level + 1)
                              : PartKey{kMostPartLevel - 1, 2 * key.x, 2 * key.y, 2 * key.z};
-  links.push_back({.key = other != parts_.end() ? other->first : around, .border = kCopiesInPlace});
+  links.push_back({.key = other != all.end() ? *other : around, .border = kCopiesInPlace});
   return links;
 }
 

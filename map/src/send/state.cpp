@@ -11,6 +11,7 @@
 #include "deltamesh/map/messages.h"
 #include "send/coexistence.h"
 #include "send/seen_cells.h"
+#include "support/overlapping.h"
 
 namespace deltamesh {
 
@@ -62,6 +63,7 @@ Result<void> MapSender::State::make_newest(const PartKey& key, ChosenVersion cho
   known[key][told] = std::move(chosen.version);
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
   std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
+  links_made += links.size();
   viewer.sent[key].add(part_box(encoding->decoded.mesh));
   const std::uint64_t number = viewer.delivery.next_number();
   viewer.has[key] = {.revision = revision,
@@ -114,8 +116,8 @@ const KnownVersion* MapSender::State::base_for(const Viewer& viewer, const PartK
   const KnownVersion* largest = believed_version(viewer, key);
   if (largest != nullptr) return largest;
   const auto size = [](const KnownVersion& v) { return v.encoding->decoded.mesh.triangle_count(); };
-  for (const auto& [other, believed] : viewer.has) {
-    if (!overlap(key, other) || map.is_copy(key) || map.is_copy(other) || map.outdated_since(other) > 0)
+  for (const PartKey& other : overlapping(viewer.has, key)) {
+    if (map.is_copy(key) || map.is_copy(other) || map.outdated_since(other) > 0)
       continue;  // copies have hardly a face in common with what they are of
     const KnownVersion* version = believed_version(viewer, other);
     if (version != nullptr && (largest == nullptr || size(*version) > size(*largest))) largest = version;

@@ -46,6 +46,7 @@ struct MapSender::State {
   FragmentJoiner fragments{};                        ///< of what viewers say
   Allowance total{};                                 ///< of all viewers together
   std::chrono::steady_clock::time_point deadline{};  ///< of the call of messages_for() that runs
+  std::size_t links_made = 0;                        ///< in that call
   unsigned epochs = 0;                               ///< that began because of receivers
 
   /// Of so many parts, the next ones each time.

@@ -11,6 +11,7 @@
 #include "lattice/borders_of_links.h"
 #include "part/view_cells.h"
 #include "send/coexistence.h"
+#include "support/overlapping.h"
 
 namespace deltamesh {
 namespace {
@@ -59,8 +60,7 @@ std::vector<SendUnit> units_of(const SendPlan& plan, const Viewer& viewer, const
     for (const PartLink& link : *before) sets.unite(key, link.key);
   }
   for (const PartKey& key : plan.removed)
-    for (const PartKey& other : plan.needed)
-      if (overlap(key, other)) sets.unite(key, other);
+    for (const PartKey& other : overlapping(plan.needed, key)) sets.unite(key, other);
 
   // A unit is as urgent as its most urgent part.
   using Urgency = std::tuple<int, std::uint64_t, double, PartKey>;

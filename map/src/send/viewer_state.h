@@ -142,7 +142,8 @@ struct SendPlan {
   /// Of these, what is needed for its quality alone: the first revision of what the receiver has.
   std::map<PartKey, std::uint64_t> refined;
   std::set<PartKey> removed;  ///< parts that are to go
-  std::set<PartKey> staying;  ///< parts that go with all newest ones as the receiver has them
+  /// Parts that go with all newest ones as the receiver has them: copies too that are to go [MAP-19].
+  std::set<PartKey> staying;
   std::vector<PartFault>
       faults{};             ///< parts that do not come as the view asks; those without any are unwanted
   std::uint64_t kept = 0;   ///< parts with a newer source whose old version will do

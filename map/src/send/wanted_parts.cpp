@@ -31,7 +31,8 @@ class Wants {
     parts.others = beside_;
     parts.wanted = cover(waits_);
     // What is seen first fits together, so that all of it comes before any of it goes.
-    if (!waits_ && std::ranges::any_of(parts.wanted, [&](const PartKey& key) { return is_new_copy(key); }))
+    if (first_sight_ > 0 && !waits_ &&
+        std::ranges::any_of(parts.wanted, [&](const PartKey& key) { return is_new(key); }))
       parts.wanted = cover(true);
     for (const PartKey& key : in_view_)
       if (!parts.wanted.contains(key)) parts.others.insert(key);
@@ -50,10 +51,11 @@ class Wants {
     return kNone;
   }
 
+  /// What is seen first where it is: a copy, or a part where there is none.
+  bool is_new(const PartKey& key) const { return key.level <= first_sight_ && !cells_.is_begun(key); }
+
   /// A copy that is to be seen before what is inside.
-  bool is_new_copy(const PartKey& key) const {
-    return key.level <= first_sight_ && inside_.contains(key) && !cells_.is_begun(key);
-  }
+  bool is_new_copy(const PartKey& key) const { return inside_.contains(key) && is_new(key); }
 
   std::set<PartKey> cover(bool keeps_copies) const {
     std::set<PartKey> wanted;
@@ -109,9 +111,10 @@ WantedParts wanted_parts(const Viewer& viewer, const SourceMap& map, const MapDe
 
 Result<bool> make_copies_for(const Viewer& viewer, SourceMap& map, const MapDescription& description,
                              const SeenCells& seen) {
-  // From the level of the first sight on: where a copy has too many triangles to be a part, those below it.
-  for (int level = std::max(map.first_sight(), viewer.view.level); level > 0 && level >= viewer.view.level;
-       --level) {
+  // From the level of the first sight on: where a copy has too many triangles to be a part, a view of copies
+  // gets those below it. For a first sight alone they would take more bytes than they save.
+  const int lowest = std::max<int>(viewer.view.level > 0 ? viewer.view.level : map.first_sight(), 1);
+  for (int level = std::max(map.first_sight(), viewer.view.level); level >= lowest; --level) {
     std::set<PartKey> cells;
     for (const auto& [key, part] : map.parts()) {
       if (key.level >= level || map.is_copy(key)) continue;

@@ -12,6 +12,7 @@
 #include "deltamesh/decode.h"
 #include "deltamesh/map/folder.h"
 #include "deltamesh/map/part.h"
+#include "deltamesh/map/part_quality.h"
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 

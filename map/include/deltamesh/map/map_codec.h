@@ -11,6 +11,7 @@
 #include "deltamesh/decode.h"
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part.h"
+#include "deltamesh/map/part_quality.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {

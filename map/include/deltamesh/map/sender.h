@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "deltamesh/encode.h"
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part.h"
 #include "deltamesh/map/part_entry.h"

@@ -14,6 +14,7 @@
 #include "deltamesh/map/folder.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/part.h"
+#include "deltamesh/map/part_quality.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "lattice/border_payload.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "attributes/colors/fields.h"
-#include "attributes/values.h"
 #include "base/try.h"
 #include "entropy/coder/reader.h"
-#include "entropy/coder/writer.h"
 #include "format/container.h"
 #include "format/header_fields.h"
-#include "support/color_value.h"
+#include "lattice/border_payload.h"
+#include "lattice/border_payload_colors.h"
 
 namespace deltamesh {
 namespace {
@@ -44,41 +40,6 @@ std::uint8_t loose_axes(const float* position, const PositionLattice& lattice) n
   return loose;
 }
 
-/// Of one attribute. `wanted`: none for readers.
-template <class Coder>
-void code_colors(Coder& coder, BorderColorModels& models, std::uint32_t step, Attribute& colors,
-                 std::span<const BorderVertex> border, std::span<const std::uint8_t> wanted) {
-  BorderColorCoder color_coder(coder, models, step);
-  const std::size_t size = component_size(colors.type);
-  std::size_t next = 0;
-  for (const BorderVertex& vertex : border) {
-    color_coder.begin_vertex();
-    std::byte* value = colors.values.data() + vertex.vertex * colors.components * size;
-    for (std::size_t c = 0; c < colors.components; ++c, value += size, ++next)
-      store_component(value, size,
-                      color_of_level(colors.type, 8,
-                                     color_coder.code(color_level(colors.type, value),
-                                                      Coder::kWrites ? wanted[next] : std::uint8_t{0})));
-  }
-}
-
-/// Of all attributes that are colours. False where a step is too large.
-template <class Coder>
-bool code_all_colors(Coder& coder, BorderColorModels& models, Mesh& mesh,
-                     std::span<const BorderVertex> border, std::span<const BorderColors> wanted) {
-  std::size_t next = 0;
-  const BorderColors none;
-  for (Attribute& attribute : mesh.attributes) {
-    if (!is_color(attribute)) continue;
-    const BorderColors& colors = next < wanted.size() ? wanted[next] : none;
-    ++next;
-    const std::uint32_t step = coder.number(colors.step, models.step);
-    if (step > kMostBorderStep) return false;
-    if (step > 0) code_colors(coder, models, step, attribute, border, colors.levels);
-  }
-  return true;
-}
-
 }  // namespace
 
 Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& mesh,
@@ -94,19 +55,6 @@ Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& me
                              : kAllLoose);
   }
   return view;
-}
-
-std::vector<std::byte> write_border(Mesh& mesh, const BorderView& view, std::vector<BorderVertex> border,
-                                    const BorderModels& start, std::span<const BorderColors> colors) {
-  if (border.empty()) return {};
-  const OpenEdges edges(mesh.triangles, mesh.vertex_count());
-  CompactWriter writer;
-  BorderModels models = start;
-  BorderCoder coder(writer, models, view, edges);
-  std::size_t next = 0;
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) coder.code(v, border, next);
-  code_all_colors(writer, models.colors, mesh, border, colors);
-  return writer.finish();
 }
 
 Result<std::vector<BorderVertex>> read_border(std::span<const std::byte> bytes, Mesh& mesh,

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "patch/payload.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "base/try.h"
-#include "entropy/coder/writer.h"
 #include "patch/coder.h"
+#include "patch/payload.h"
 #include "support/errors.h"
 
 namespace deltamesh {
 namespace {
-
-std::vector<std::uint32_t> staying_triangles(const Mesh& base, const std::vector<std::uint8_t>& stays) {
-  std::vector<std::uint32_t> triangles;
-  for (std::size_t face = 0; face < stays.size(); ++face)
-    for (std::size_t c = 0; stays[face] != 0 && c < 3; ++c) triangles.push_back(base.triangles[3 * face + c]);
-  return triangles;
-}
 
 /// Appends vertices of `from` to `to`, which has the same attributes.
 void append_rows(const Mesh& from, std::span<const std::uint32_t> rows, Mesh& to) {
@@ -47,13 +38,11 @@ void append_border(std::span<const BorderVertex> border, std::span<const std::ui
 
 }  // namespace
 
-std::vector<std::byte> write_patch_plan(const Mesh& base, const Mesh& inserted, PatchPlan plan) {
-  CompactWriter writer;
-  PatchModels models;
-  code_staying(writer, models, base, plan.stays);
-  const auto staying = staying_triangles(base, plan.stays);
-  JoinCoder(writer, models, base, staying, inserted).code(plan.joins);
-  return writer.finish();
+std::vector<std::uint32_t> staying_triangles(const Mesh& base, const std::vector<std::uint8_t>& stays) {
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t face = 0; face < stays.size(); ++face)
+    for (std::size_t c = 0; stays[face] != 0 && c < 3; ++c) triangles.push_back(base.triangles[3 * face + c]);
+  return triangles;
 }
 
 PatchPlanReader::PatchPlanReader(std::span<const std::byte> bytes, const Mesh& base)
