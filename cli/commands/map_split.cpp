@@ -36,7 +36,10 @@ int run_split(const Splitting& splitting) {
   int status = kOk;
   if (!check_is_outside(splitting.folder + "/parts", splitting.in, status)) return status;
   auto imported = load_faces(splitting.in, status, splitting.files);
-  if (!imported) return status;
+  if (!imported || !check_are_outside(splitting.folder + "/parts", splitting.in, imported->report, status) ||
+      !check_keeps_files(splitting.in, imported->report,
+                         {splitting.folder + "/map.dmm", splitting.folder + "/bounds.json"}, status))
+    return status;
   imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
   std::optional<MapState> before;
   if (is_map(splitting.folder)) {

@@ -75,7 +75,8 @@ int run_plan(const Planning& planning) {
     int status = kOk;
     if (!check_is_outside(planning.folder + "/tiles", file, status)) return status;
     const auto imported = load_mesh(file, status, planning.options);
-    if (!imported) return status;
+    if (!imported || !check_are_outside(planning.folder + "/tiles", file, imported->report, status))
+      return status;
     for (const LeftOut& entry : imported->report.left_out)
       losses.leave_out(entry.kind, entry.name, entry.count);
     rounding = std::max(rounding, imported->report.position_error);
