@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "measure/face_claim.h"
-#include "measure/point_tree.h"
+#include "measure/tree/point_tree.h"
 
 namespace deltamesh {
 namespace {

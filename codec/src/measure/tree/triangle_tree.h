@@ -8,7 +8,7 @@
 #include <span>
 
 #include "base/numbers/vec3.h"
-#include "measure/box_tree.h"
+#include "measure/tree/box_tree.h"
 
 namespace deltamesh {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/numbers/vec3.h"
-#include "measure/box_tree.h"
+#include "measure/tree/box_tree.h"
 
 namespace deltamesh {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "measure/box_tree.h"
+#include "measure/tree/box_tree.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "measure/point_tree.h"
+#include "measure/tree/point_tree.h"
 
 #include <algorithm>
 #include <numeric>
