@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "tile_plan_file.h"
+#include "stored/tile_plan.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "deltamesh/io.h"
-#include "option_numbers.h"
+#include "stored/quality.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -25,69 +26,75 @@ std::vector<std::byte> bytes_of(const std::string& text) {
   return {first, first + text.size()};
 }
 
-Json json_of(const PartKey& key) { return {key.level, key.x, key.y, key.z}; }
-PartKey key_of(const Json& json) { return {json.at(0), json.at(1), json.at(2), json.at(3)}; }
+Json json_of_key(const PartKey& key) { return {key.level, key.x, key.y, key.z}; }
+PartKey key_of(const JsonValue& json) {
+  const auto items = json.items(4);
+  return {items[0].whole<std::uint8_t>(0, kMostPartLevel), items[1].whole<std::int32_t>(),
+          items[2].whole<std::int32_t>(), items[3].whole<std::int32_t>()};
+}
 
-Json json_of(const PartQuality& quality) {
-  Json json;
-  const auto put = [&](const char* name, const std::optional<QualityBound>& bound) {
-    if (bound) json[name] = text_of(*bound);
-  };
-  put("vde", quality.bounds.vde);
-  put("lfe", quality.bounds.lfe);
-  put("max_error", quality.bounds.max_error);
-  const AttributeQuality& attributes = quality.attributes;
-  json["normal_error"] = attributes.normal_error;
-  if (attributes.tangent_error) json["tangent_error"] = *attributes.tangent_error;
-  json["uv_error"] = attributes.uv_error;
-  if (attributes.color_error) json["color_error"] = *attributes.color_error;
-  if (attributes.color_rms) json["color_rms"] = *attributes.color_rms;
-  json["weight_error"] = attributes.weight_error;
-  json["named"] = Json::array();
-  for (const NamedBound& bound : attributes.named)
-    json["named"].push_back({bound.name, bound.error, bound.is_mean});
+/// In model units, as no tile knows the diagonal of the whole map.
+Json json_of_quality(const PartQuality& quality) {
+  Json json = json_of(quality.attributes);
+  json.update(json_of(quality.bounds));
   json["geometry"] = static_cast<int>(quality.geometry);
   json["effort"] = quality.effort;
   return json;
 }
 
-PartQuality quality_of(const Json& json) {
-  PartQuality quality;
-  const auto get = [&](const char* name, std::optional<QualityBound>& bound) {
-    if (json.contains(name)) bound = parse_bound(json.at(name).get<std::string>()).value();
-  };
-  get("vde", quality.bounds.vde);
-  get("lfe", quality.bounds.lfe);
-  get("max_error", quality.bounds.max_error);
-  AttributeQuality& attributes = quality.attributes;
-  attributes.normal_error = json.at("normal_error");
-  if (json.contains("tangent_error")) attributes.tangent_error = json.at("tangent_error").get<double>();
-  attributes.uv_error = json.at("uv_error");
-  if (json.contains("color_error")) attributes.color_error = json.at("color_error").get<double>();
-  if (json.contains("color_rms")) attributes.color_rms = json.at("color_rms").get<double>();
-  attributes.weight_error = json.at("weight_error");
-  for (const Json& bound : json.at("named"))
-    attributes.named.push_back({bound.at(0), bound.at(1), bound.at(2)});
-  quality.geometry = static_cast<GeometryCoder>(json.at("geometry").get<int>());
-  quality.effort = json.at("effort");
+PartQuality quality_of(const JsonValue& json) {
+  constexpr int kMostEffort = 2;
+  PartQuality quality{.bounds = bounds_of(json, false), .attributes = attributes_of(json)};
+  if (quality.bounds.empty()) json.refuse("an object with vde, lfe or max_error");
+  quality.geometry = static_cast<GeometryCoder>(
+      json.member("geometry").whole<int>(0, static_cast<int>(GeometryCoder::kPredictive)));
+  quality.effort = json.member("effort").whole<int>(0, kMostEffort);
   return quality;
+}
+
+/// Numbers of files.
+std::vector<std::uint32_t> numbers_of(const JsonValue& json, std::size_t files) {
+  std::vector<std::uint32_t> numbers;
+  for (const JsonValue& number : json.items())
+    numbers.push_back(number.whole<std::uint32_t>(0, static_cast<std::uint32_t>(files - 1)));
+  return numbers;
+}
+
+void read_plan(const JsonValue& json, FiledPlan& filed) {
+  TilePlan& plan = filed.plan;
+  for (const JsonValue& file : json.member("files").items()) filed.files.push_back(file.text());
+  if (filed.files.empty()) json.member("files").refuse("one name or more");
+  plan.quality = quality_of(json.member("quality"));
+  if (const auto asked = json.optional_member("asked")) filed.asked = attributes_of(*asked);
+  filed.drop_invalid = json.member("drop_invalid").flag();
+  for (const JsonValue& hash : json.member("mesh_hashes").items(filed.files.size()))
+    plan.mesh_hashes.push_back(hash.whole<std::uint64_t>());
+  plan.revision = json.member("revision").whole<std::uint64_t>(1);
+  plan.group = json.member("group").whole<std::uint64_t>();
+  for (const JsonValue& key : json.member("parts").items()) plan.parts.push_back(key_of(key));
+  if (!std::ranges::is_sorted(plan.parts)) json.member("parts").refuse("an array of keys that ascend");
+  for (const JsonValue& tile : json.member("tiles").items())
+    plan.tiles.push_back({key_of(tile.member("cell")), tile.member("triangles").whole<std::uint64_t>(),
+                          numbers_of(tile.member("files"), filed.files.size())});
+  if (plan.tiles.empty()) json.member("tiles").refuse("one tile or more");
 }
 
 }  // namespace
 
 Result<void> save_plan(const std::string& folder, const FiledPlan& plan) {
   Json json = {{"files", plan.files},
-               {"quality", json_of(plan.plan.quality)},
+               {"quality", json_of_quality(plan.plan.quality)},
                {"drop_invalid", plan.drop_invalid},
                {"mesh_hashes", plan.plan.mesh_hashes},
                {"revision", plan.plan.revision},
                {"group", plan.plan.group}};
+  if (plan.asked) json["asked"] = json_of(*plan.asked);
   json["parts"] = Json::array();
-  for (const PartKey& key : plan.plan.parts) json["parts"].push_back(json_of(key));
+  for (const PartKey& key : plan.plan.parts) json["parts"].push_back(json_of_key(key));
   json["tiles"] = Json::array();
   for (const Tile& tile : plan.plan.tiles)
     json["tiles"].push_back(
-        {{"cell", json_of(tile.cell)}, {"triangles", tile.triangles}, {"files", tile.meshes}});
+        {{"cell", json_of_key(tile.cell)}, {"triangles", tile.triangles}, {"files", tile.meshes}});
   auto message = write_description(plan.plan.description);
   if (!message) return message.error();
   std::error_code failed;
@@ -104,37 +111,19 @@ bool has_plan(const std::string& folder) {
   return fs::exists(path_of(folder, "plan.json"), ignored);
 }
 
-Result<FiledPlan> load_plan(const std::string& folder) {
-  const auto text = read_file(path_of(folder, "plan.json"));
-  if (!text) return text.error();
+std::optional<FiledPlan> load_plan(const std::string& folder, std::string& wrong) {
   const auto message = read_file(path_of(folder, "map"));
-  if (!message) return message.error();
-  auto description = read_description(*message);
-  if (!description) return description.error();
+  auto description = message ? read_description(*message) : Result<MapDescription>(message.error());
+  if (!description) {
+    wrong = "tiles/map: " + describe(description.error());
+    return std::nullopt;
+  }
   FiledPlan plan;
   plan.plan.description = *std::move(description);
-  try {
-    const auto* first = reinterpret_cast<const char*>(text->data());
-    const Json json = Json::parse(first, first + text->size());
-    plan.files = json.at("files").get<std::vector<std::string>>();
-    plan.plan.quality = quality_of(json.at("quality"));
-    plan.drop_invalid = json.at("drop_invalid");
-    plan.plan.mesh_hashes = json.at("mesh_hashes").get<std::vector<std::uint64_t>>();
-    plan.plan.revision = json.at("revision");
-    plan.plan.group = json.at("group");
-    for (const Json& key : json.at("parts")) plan.plan.parts.push_back(key_of(key));
-    for (const Json& tile : json.at("tiles"))
-      plan.plan.tiles.push_back({key_of(tile.at("cell")), tile.at("triangles"),
-                                 tile.at("files").get<std::vector<std::uint32_t>>()});
-    for (const Tile& tile : plan.plan.tiles)
-      for (const std::uint32_t mesh : tile.meshes)
-        (void)plan.files.at(mesh), (void)plan.plan.mesh_hashes.at(mesh);
-    if (plan.plan.tiles.empty())
-      return Error{.code = ErrorCode::kCorrupt, .message = "tiles/plan.json has no tiles"};
-  } catch (const std::exception&) {
-    return Error{.code = ErrorCode::kCorrupt, .message = "tiles/plan.json is not a plan of tiles"};
-  }
-  return plan;
+  wrong = read_json(path_of(folder, "plan.json"), [&](const JsonValue& json) { read_plan(json, plan); });
+  if (wrong.empty()) return plan;
+  wrong.insert(0, "tiles/plan.json: ");
+  return std::nullopt;
 }
 
 std::string tile_file(const std::string& folder, std::size_t tile) {
