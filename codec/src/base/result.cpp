@@ -42,7 +42,7 @@ std::string describe(const Error& error) {
   }
   if (error.best_value > 0) text += ", the best is " + short_number(error.best_value);
   if (error.best_bytes > 0)
-    text += std::string(error.best_value > 0 ? " in " : ", the least is ") +
+    text += std::string(error.best_value > 0 ? " in " : ", the smallest found has ") +
             std::to_string(error.best_bytes) + " bytes";
   if (*error.rule != '\0') text += std::string(" [") + error.rule + "]";
   return text;
