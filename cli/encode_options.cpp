@@ -178,6 +178,10 @@ void add_encode_options(CLI::App& command, EncodeOptions& options) {
   });
 }
 
+bool asks_of_attributes(const CLI::App& command) {
+  return std::ranges::any_of(kAttributeOptions, [&](const char* name) { return command.count(name) > 0; });
+}
+
 void add_part_quality(CLI::App& command, PartQuality& quality) {
   add_bounds(command, quality.bounds);
   add_attribute_quality(command, quality.attributes);

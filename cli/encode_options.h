@@ -15,6 +15,9 @@ namespace deltamesh::cli {
 /// the parser does not see are validate()'s to find.
 void add_encode_options(CLI::App& command, EncodeOptions& options);
 
+/// Whether the command line has any bound on attributes.
+bool asks_of_attributes(const CLI::App& command);
+
 /// Those of them that a part of a map has.
 void add_part_quality(CLI::App& command, PartQuality& quality);
 

@@ -10,7 +10,8 @@ namespace deltamesh::cli {
 
 enum ExitCode : int {
   kOk = 0,
-  kBadStream = 1,     ///< a .dmsh stream or a map is damaged, or `compare --order` found other triangles
+  kBadStream = 1,     ///< a .dmsh stream or a map is damaged or lacks parts, or `compare --order` found other
+                      ///< triangles
   kUsage = 2,         ///< the command line is wrong
   kBadInput = 3,      ///< an input file is missing, unreadable or not what its suffix says
   kCannotWrite = 4,   ///< an output cannot be written
@@ -23,7 +24,7 @@ enum ExitCode : int {
 inline constexpr const char* kExitCodesHelp =
     "Exit codes:\n"
     "  0  done\n"
-    "  1  a .dmsh stream or a map is damaged, or compare --order found other triangles\n"
+    "  1  a .dmsh stream or a map is damaged or lacks parts, or compare --order found other triangles\n"
     "  2  wrong command line (an unknown file suffix too)\n"
     "  3  an input file is missing, unreadable or invalid\n"
     "  4  an output cannot be written\n"

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "map_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -10,15 +11,30 @@
 #include "deltamesh/map/map_codec.h"
 #include "report/console.h"
 #include "report/map.h"
+#include "stored/tile_plan.h"
 
 namespace deltamesh::cli {
 namespace {
 
-const std::string kMend = "; `deltamesh map split` of the same mesh writes it again";
+/// What writes parts again: maps of tiles are too large to be made at once.
+std::string mending(const std::string& folder, const MapManifest& manifest) {
+  std::string wrong;
+  if (const auto tiles = has_plan(folder) ? load_plan(folder, wrong) : std::nullopt)
+    if (tiles->plan.revision == manifest.revision && tiles->plan.description == manifest.description)
+      return "; `deltamesh tiles finish` tells which tile to encode again";
+  return "; `deltamesh map split` of the same mesh writes it again";
+}
 
-ExitCode fail_part(const std::string& folder, const PartEntry& entry, const Error& error) {
-  print_error(folder + ", part of " + key_text(entry.key), describe(error) + kMend);
-  return exit_code_of(error.code);
+/// A part that is missing or cannot be read is damage of its map, as one with other content is.
+ExitCode exit_code_of_part(const Error& error) {
+  const bool is_file = error.code == ErrorCode::kFileOpen || error.code == ErrorCode::kFileRead;
+  return is_file ? kBadStream : exit_code_of(error.code);
+}
+
+ExitCode fail_part(const std::string& folder, const PartEntry& entry, const Error& error,
+                   const std::string& mending) {
+  print_error(folder + ", part of " + key_text(entry.key), describe(error) + mending);
+  return exit_code_of_part(error);
 }
 
 }  // namespace
@@ -40,10 +56,23 @@ int check_files(const std::string& folder, const MapManifest& manifest) {
     const auto file = std::filesystem::path(folder) / part_file(entry.key, entry.revision, entry.hash);
     std::error_code failed;
     if (std::filesystem::file_size(file, failed) == entry.bytes && !failed) continue;
-    print_error(file.string(), (failed ? "this part is missing" : "this part is damaged") + kMend);
-    status = kBadInput;
+    print_error(file.string(),
+                (failed ? "this part is missing" : "this part is damaged") + mending(folder, manifest));
+    status = kBadStream;
   }
   return status;
+}
+
+bool check_parts(const std::string& folder, const MapManifest& manifest, const std::string& mending,
+                 int& status) {
+  bool are_whole = true;
+  for (const PartEntry& entry : manifest.entries) {
+    const auto octets = load_part(folder, entry);
+    if (octets) continue;
+    status = std::max<int>(status, fail_part(folder, entry, octets.error(), mending));
+    are_whole = false;
+  }
+  return are_whole;
 }
 
 int verify_map(const std::string& folder) {
@@ -55,7 +84,8 @@ int verify_map(const std::string& folder) {
   for (const PartEntry& entry : manifest->entries) {
     const auto octets = load_part(folder, entry);
     const auto part = octets ? codec->decode(entry.key, *octets) : Result<MapPart>(octets.error());
-    if (!part) status = fail_part(folder, entry, part.error());
+    if (!part)
+      status = std::max<int>(status, fail_part(folder, entry, part.error(), mending(folder, *manifest)));
   }
   if (status == kOk)
     std::cout << folder << ": ok, " << counted(manifest->entries.size(), "part", "parts") << '\n';
@@ -83,7 +113,7 @@ std::optional<MapState> load_state(const std::string& folder, int& status) {
   for (const PartEntry& entry : state.manifest.entries) {
     auto octets = load_part(folder, entry);
     if (!octets) {
-      status = fail_part(folder, entry, octets.error());
+      status = fail_part(folder, entry, octets.error(), mending(folder, state.manifest));
       return std::nullopt;
     }
     state.octets.push_back(*std::move(octets));

@@ -20,7 +20,13 @@ bool refuse_map(const std::string& path, const char* instead);
 /// Names every part whose file is not there, or not as long as it should be. Returns the exit code.
 int check_files(const std::string& folder, const MapManifest& manifest);
 
-/// Reads and decodes all parts and names every one that is at fault. Returns the exit code.
+/// Reads all parts and names every one whose file does not hold what the manifest says; `mending` is what
+/// helps. Whether there is none; `status` becomes the exit code of the worst, if that is above it.
+bool check_parts(const std::string& folder, const MapManifest& manifest, const std::string& mending,
+                 int& status);
+
+/// Reads and decodes all parts and names every one that is at fault. Returns the exit code of the worst,
+/// which is the highest: a damaged part (1) comes before what stops the program itself.
 int verify_map(const std::string& folder);
 
 /// On failure print why and leave the exit code in `status`.

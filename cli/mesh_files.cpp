@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "mesh_files.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
@@ -175,9 +176,31 @@ bool check_is_outside(const std::string& folder, const std::string& file, int& s
   fs::path above = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
   while (above.has_relative_path() && above != whole) above = above.parent_path();
   if (is_standard(file) || above != whole) return true;
-  print_error(file, "files in " + folder + " are removed when it is written; keep the mesh elsewhere");
+  print_error(file, "files in " + folder + " are removed when it is written; keep it elsewhere");
   status = kUsage;
   return false;
+}
+
+bool check_are_outside(const std::string& folder, const std::string& input, const ReadReport& report,
+                       int& status) {
+  const std::filesystem::path own = std::filesystem::path(input).parent_path();
+  return std::ranges::all_of(report.files, [&](const std::string& file) {
+    return check_is_outside(folder, (own / file).string(), status);
+  });
+}
+
+bool check_keeps_files(const std::string& input, const ReadReport& report,
+                       const std::vector<std::string>& outputs, int& status) {
+  for (const std::string& file : report.files) {
+    const std::string path = (std::filesystem::path(input).parent_path() / file).string();
+    for (const std::string& output : outputs) {
+      if (!names_same_file(path, output)) continue;
+      print_error(output, "the output would replace a file that " + input + " names");
+      status = kUsage;
+      return false;
+    }
+  }
+  return true;
 }
 
 int save_mesh(const std::string& path, const MeshView& mesh, const FileOptions& options,

@@ -66,9 +66,18 @@ bool names_same_file(const std::string& a, const std::string& b);
 /// Whether `output` is another file than `input`; if not, says so.
 bool check_keeps_input(const std::string& input, const std::string& output, int& status);
 
-/// Whether the mesh `file` is outside `folder`, where the program removes what it did not write; if not, says
+/// Whether no output is a file that the mesh at `input` names, such as a buffer or an image of a glTF asset;
+/// if one is, says so.
+bool check_keeps_files(const std::string& input, const ReadReport& report,
+                       const std::vector<std::string>& outputs, int& status);
+
+/// Whether `file` is outside `folder`, where the program removes what it did not write; if not, says
 /// so.
 bool check_is_outside(const std::string& folder, const std::string& file, int& status);
+
+/// The same for the files that the mesh at `input` names.
+bool check_are_outside(const std::string& folder, const std::string& input, const ReadReport& report,
+                       int& status);
 
 /// Writes a mesh, whole or not at all; returns the exit code. `report` gets what the format cannot hold;
 /// without one it is printed.

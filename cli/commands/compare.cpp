@@ -185,6 +185,10 @@ int run_compare(const CompareArguments& arguments) {
   if (!a) return status;
   const std::optional<Imported> b = load_mesh_or_stream(arguments.b, status, arguments.files);
   if (!b) return status;
+  const std::vector<std::string> outputs{arguments.heatmap, arguments.color_heatmap};
+  if (!check_keeps_files(arguments.a, a->report, outputs, status) ||
+      !check_keeps_files(arguments.b, b->report, outputs, status))
+    return status;
   std::vector<std::uint32_t> order;
   if (!arguments.order.empty()) order = load_order(arguments.order, status);
   if (status != kOk) return status;

@@ -142,7 +142,9 @@ int run_encode(const EncodeArguments& arguments) {
   const std::optional<Imported> imported = arguments.options.keep_unreferenced
                                                ? load_mesh(arguments.in, status, arguments.files)
                                                : load_faces(arguments.in, status, arguments.files);
-  if (!imported || !check_named_bounds(arguments, imported->mesh, status)) return status;
+  if (!imported || !check_named_bounds(arguments, imported->mesh, status) ||
+      !check_keeps_files(arguments.in, imported->report, {arguments.out, arguments.order_out}, status))
+    return status;
 
   if (arguments.options.lossless && arguments.files.strict && imported->report.position_error > 0) {
     print_error(arguments.in,

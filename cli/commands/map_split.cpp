@@ -10,7 +10,6 @@
 #include "deltamesh/map/encode_map.h"
 #include "deltamesh/map/folder.h"
 #include "encode_options.h"
-#include "map_bounds_file.h"
 #include "map_files.h"
 #include "mesh_files.h"
 #include "option_numbers.h"
@@ -18,6 +17,7 @@
 #include "report/losses.h"
 #include "report/map.h"
 #include "report/progress.h"
+#include "stored/map_bounds.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -27,8 +27,25 @@ struct Splitting {
   std::string folder;
   MapSettings settings;
   FileOptions files;
+  bool asks_of_attributes = false;
   bool json = false;
 };
+
+/// What the folder holds already; empty where that is no map.
+struct Before {
+  std::optional<MapState> state;
+  MapBounds bounds;
+};
+
+std::optional<Before> load_before(const std::string& folder, int& status) {
+  Before before;
+  if (!is_map(folder)) return before;
+  auto manifest = load_manifest(folder, status);
+  if (!manifest || !load_bounds(folder, before.bounds, status)) return std::nullopt;
+  before.state.emplace(MapState{
+      .manifest = *std::move(manifest), .asked = before.bounds.asked, .bounds = before.bounds.bounds});
+  return before;
+}
 
 int run_split(const Splitting& splitting) {
   if (const Result<void> valid = validate(splitting.settings); !valid)
@@ -36,17 +53,19 @@ int run_split(const Splitting& splitting) {
   int status = kOk;
   if (!check_is_outside(splitting.folder + "/parts", splitting.in, status)) return status;
   auto imported = load_faces(splitting.in, status, splitting.files);
-  if (!imported) return status;
+  if (!imported || !check_are_outside(splitting.folder + "/parts", splitting.in, imported->report, status) ||
+      !check_keeps_files(splitting.in, imported->report,
+                         {splitting.folder + "/map.dmm", splitting.folder + "/bounds.json"}, status))
+    return status;
   imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
-  std::optional<MapState> before;
-  if (is_map(splitting.folder)) {
-    auto manifest = load_manifest(splitting.folder, status);
-    if (!manifest) return status;
-    before.emplace(MapState{.manifest = *std::move(manifest)});
-    if (const auto loaded = load_bounds(splitting.folder, *before); !loaded)
-      return fail(splitting.folder, loaded.error());
-  }
+  const auto known = load_before(splitting.folder, status);
+  if (!known) return status;
+  const std::optional<MapState>& before = known->state;
   MapSettings settings = splitting.settings;
+  MapBounds bounds;
+  if (splitting.asks_of_attributes) bounds.attributes = settings.quality.attributes;
+  if (!splitting.asks_of_attributes) bounds.attributes = known->bounds.attributes;
+  if (bounds.attributes) settings.quality.attributes = *bounds.attributes;
   settings.quality.attributes.uv_error /= imported->report.uv_scale;
   const auto encode = [&] {
     const Progress progress("encoding");
@@ -54,9 +73,13 @@ int run_split(const Splitting& splitting) {
   };
   const Result<MapState> state = encode();
   if (!state) return fail_coding(splitting.in, state.error());
+  bounds.asked = state->asked;
+  bounds.bounds = state->bounds;
   MapUpdate update{
-      .keeps_bounds = before && !before->bounds.empty() && bounds_text(*before) == bounds_text(*state),
-      .bounds = bounds_text(*state),
+      .keeps_bounds = before && !before->bounds.empty() && bounds_text(known->bounds) == bounds_text(bounds),
+      .bounds = bounds_text(bounds),
+      .keeps_attribute_bounds = !splitting.asks_of_attributes && bounds.attributes.has_value(),
+      .attribute_bounds = bounds.attributes ? attribute_bounds_text(*bounds.attributes) : "",
       .color_rms = state->attributes.color_rms.value_or(0)};
   std::vector<NewPart> parts;
   for (std::size_t i = 0; i < state->octets.size(); ++i) {
@@ -67,7 +90,7 @@ int run_split(const Splitting& splitting) {
     ++(is_new ? update.new_parts : update.mended_parts);
   }
   auto saved = save_map(splitting.folder, state->manifest, parts);
-  if (saved) saved = save_bounds(splitting.folder, *state);
+  if (saved) saved = save_bounds(splitting.folder, bounds);
   if (!saved) return fail(splitting.folder, saved.error());
   const double rounding =
       imported->report.position_error + rounding_in_map(imported->mesh, state->manifest.description);
@@ -78,6 +101,8 @@ int run_split(const Splitting& splitting) {
                    {"mended_parts", update.mended_parts},
                    {"bounds", update.bounds},
                    {"keeps_bounds", update.keeps_bounds},
+                   {"attribute_bounds", update.attribute_bounds},
+                   {"keeps_attribute_bounds", update.keeps_attribute_bounds},
                    {"left_out", left_out_array(imported->report)},
                    {"position_error", rounding},
                    {"uv_scale", imported->report.uv_scale}});
@@ -125,12 +150,16 @@ void add_map_split(CLI::App& map, int& status) {
   command->footer(
       "Percentages count in the diagonal of the whole mesh when they are first asked for, and stay what they "
       "were then, however the map grows. Where DIR holds a map, other bounds on positions than those asked "
-      "before replace them, all of them; without any, those are kept. Bounds on attributes are not kept. "
+      "before replace them, all of them; without any, those are kept. The same holds of bounds on "
+      "attributes. "
       "Parts that stay as they are keep their files; those whose file is missing or damaged are written "
       "again.\n\n"
       "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"
       "Example:\n  deltamesh map split kitchen.ply kitchen.map --part-edge 2 --max-error 0.001\n");
-  command->callback([splitting, &status] { status = run_split(*splitting); });
+  command->callback([splitting, command, &status] {
+    splitting->asks_of_attributes = asks_of_attributes(*command);
+    status = run_split(*splitting);
+  });
 }
 
 }  // namespace deltamesh::cli

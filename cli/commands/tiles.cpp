@@ -14,12 +14,12 @@
 
 #include "commands/commands.h"
 #include "deltamesh/io.h"
-#include "map_bounds_file.h"
 #include "map_files.h"
 #include "mesh_files.h"
 #include "option_numbers.h"
 #include "report/console.h"
 #include "report/map.h"
+#include "stored/map_bounds.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -38,9 +38,11 @@ std::optional<FiledPlan> load_own_plan(const std::string& folder, int& status) {
     status = kBadInput;
     return std::nullopt;
   }
-  auto plan = load_plan(folder);
-  if (plan) return *std::move(plan);
-  status = fail(folder, plan.error());
+  std::string wrong;
+  auto plan = load_plan(folder, wrong);
+  if (plan) return plan;
+  print_error(folder, wrong + "; run `tiles plan` again");
+  status = kBadStream;
   return std::nullopt;
 }
 
@@ -97,41 +99,51 @@ bool is_next(const std::string& folder, const TilePlan& plan, int& status) {
   return false;
 }
 
+/// Whether a tile's manifest is of the plan.
+bool is_planned(const TilePlan& plan, const Tile& tile, const MapManifest& manifest) {
+  std::vector<PartKey> planned;
+  for (const PartKey& key : plan.parts)
+    if (overlap(key, tile.cell)) planned.push_back(key);
+  return manifest.description == plan.description && manifest.revision == plan.revision &&
+         keys_of(manifest) == planned;
+}
+
+/// What a tile has encoded, with all parts whole; says what is wrong if not.
+std::optional<MapManifest> load_encoded(const std::string& folder, const TilePlan& plan, std::size_t number,
+                                        int& status) {
+  const std::string again = "`deltamesh tiles encode " + folder + ' ' + std::to_string(number) + '`';
+  const std::string file = tile_file(folder, number);
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    print_error("tile " + std::to_string(number), "not encoded yet; " + again + " does it");
+    status = std::max<int>(status, kBadInput);
+    return std::nullopt;
+  }
+  const auto bytes = read_file(file);
+  auto manifest = bytes ? read_manifest(*bytes) : Result<MapManifest>(bytes.error());
+  if (manifest && is_planned(plan, plan.tiles[number], *manifest))
+    return check_parts(folder, *manifest, "; " + again + " writes it again", status)
+               ? std::optional(*std::move(manifest))
+               : std::nullopt;
+  print_error(file, (manifest ? "made by another plan" : describe(manifest.error())) + "; " + again +
+                        " writes it again");
+  status = std::max<int>(status, kBadStream);
+  return std::nullopt;
+}
+
 int run_finish(const std::string& folder) {
   int status = kOk;
   const auto plan = load_own_plan(folder, status);
   if (!plan || !is_next(folder, plan->plan, status)) return status;
   std::vector<MapManifest> tiles;
-  std::string missing;
-  for (std::size_t i = 0; i < plan->plan.tiles.size(); ++i) {
-    const std::string file = tile_file(folder, i);
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) {
-      missing += ' ' + std::to_string(i);
-      continue;
-    }
-    const auto bytes = read_file(file);
-    if (!bytes) return fail(file, bytes.error());
-    auto tile = read_manifest(*bytes);
-    if (!tile) return fail(file, tile.error());
-    const auto has_file = [&](const PartEntry& entry) {
-      return fs::exists(fs::path(folder) / part_file(entry.key, entry.revision, entry.hash), ignored);
-    };
-    if (std::ranges::all_of(tile->entries, has_file))
-      tiles.push_back(*std::move(tile));
-    else
-      missing += ' ' + std::to_string(i);
-  }
-  if (!missing.empty()) {
-    print_error(folder, "these tiles are not encoded yet, or lack parts:" + missing);
-    return kBadInput;
-  }
+  for (std::size_t i = 0; i < plan->plan.tiles.size(); ++i)
+    if (auto tile = load_encoded(folder, plan->plan, i, status)) tiles.push_back(*std::move(tile));
+  if (status != kOk) return status;
   const auto manifest = merge_tiles(tiles);
   if (!manifest) return fail(folder, manifest.error());
   const QualityRequest& bounds = plan->plan.quality.bounds;
-  const MapState state{.manifest = *manifest, .asked = bounds, .bounds = bounds};
   auto saved = save_map(folder, *manifest, {});
-  if (saved) saved = save_bounds(folder, state);
+  if (saved) saved = save_bounds(folder, {.asked = bounds, .bounds = bounds, .attributes = plan->asked});
   if (!saved) return fail(folder, saved.error());
   delete_unfinished(folder);
   print_map(folder, *manifest);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "deltamesh/map/tiles.h"
-#include "tile_plan_file.h"
+#include "stored/tile_plan.h"
 
 namespace deltamesh::cli {
 

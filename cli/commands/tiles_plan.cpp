@@ -30,6 +30,7 @@ struct Planning {
   MapSettings settings;
   std::uint64_t tile_triangles = 2'000'000;
   FileOptions options;
+  bool asks_of_attributes = false;
 };
 
 /// What parts of all tiles learn from, found in the largest tile.
@@ -75,7 +76,8 @@ int run_plan(const Planning& planning) {
     int status = kOk;
     if (!check_is_outside(planning.folder + "/tiles", file, status)) return status;
     const auto imported = load_mesh(file, status, planning.options);
-    if (!imported) return status;
+    if (!imported || !check_are_outside(planning.folder + "/tiles", file, imported->report, status))
+      return status;
     for (const LeftOut& entry : imported->report.left_out)
       losses.leave_out(entry.kind, entry.name, entry.count);
     rounding = std::max(rounding, imported->report.position_error);
@@ -94,6 +96,7 @@ int run_plan(const Planning& planning) {
     return kBadInput;
   }
   plan.drop_invalid = planning.options.drop_invalid;
+  if (planning.asks_of_attributes) plan.asked = planning.settings.quality.attributes;
   if (const int status = continue_map(planning.folder, plan.plan); status != kOk) return status;
   if (const int status = add_primers(plan); status != kOk) return status;
   if (const auto saved = save_plan(planning.folder, plan); !saved)
@@ -150,7 +153,10 @@ void add_tiles_plan(CLI::App& tiles, int& status) {
       "  deltamesh tiles plan city.map blocks/*.ply --part-edge 20 --max-error 0.01\n"
       "  parallel --joblog jobs.log --resume deltamesh tiles encode city.map ::: $(seq 0 99)\n"
       "  deltamesh tiles finish city.map\n");
-  command->callback([planning, &status] { status = run_plan(*planning); });
+  command->callback([planning, command, &status] {
+    planning->asks_of_attributes = asks_of_attributes(*command);
+    status = run_plan(*planning);
+  });
 }
 
 }  // namespace deltamesh::cli

@@ -142,6 +142,9 @@ void print_map(const std::string& headline, const MapManifest& manifest,
                            grouped(primer_bytes(description)) + " are primers" +
                            (copies.parts != 0 ? " and " + grouped(copies.bytes) + " coarser copies" : ""));
   if (update) summary.add(update->keeps_bounds ? "bounds kept" : "bounds", update->bounds);
+  if (update && !update->attribute_bounds.empty())
+    summary.add(update->keeps_attribute_bounds ? "attribute bounds kept" : "attribute bounds",
+                update->attribute_bounds);
   summary.add("max error", brief(totals.max_error));
   if (const auto error = color_error_of(manifest))
     summary.add("colours", kept_text(AttributeKind::kColor, *error, update ? update->color_rms : 0));

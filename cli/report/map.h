@@ -23,6 +23,8 @@ struct MapUpdate {
   std::size_t mended_parts = 0;  ///< whose files were missing or damaged
   bool keeps_bounds = false;     ///< those from before
   std::string bounds;            ///< bounds_text()
+  bool keeps_attribute_bounds = false;
+  std::string attribute_bounds;  ///< attribute_bounds_text(); empty where nothing was asked
   double color_rms = 0;          ///< the mean error that was asked for, 255ths; 0: none, or not known
 };
 

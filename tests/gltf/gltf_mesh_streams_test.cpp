@@ -4,6 +4,8 @@
 // What primitives share: one stream for each mesh, vertices, groups, and no cracks between them.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "asset_compare.h"
 #include "deltamesh/gltf.h"
 #include "gltf_packing.h"
@@ -153,6 +155,32 @@ TEST(GltfMeshStreams, BytesAreForAllStreamsTogether) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::kUnmetRequest);
   }
+}
+
+// Numbers that are kept exactly do not shrink with the others: their stream takes from the share of the
+// other.
+TEST(GltfMeshStreams, BytesAreSharedByWhatStreamsNeed) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(20));
+  builder.sheet_mesh(make_sheet(60));
+  std::mt19937 random(1);
+  std::vector<float> noise(1200);
+  for (float& number : noise) number = static_cast<float>(random() % 65536);
+  builder.json["meshes"][0]["primitives"][0]["attributes"]["_NOISE"] = builder.floats(noise, 3);
+  const GltfReport natural = pack_ok(builder.glb()).report;
+  ASSERT_EQ(natural.stream_reports.size(), 2U);
+  const std::uint64_t first = natural.stream_reports[0].info.bytes;
+  const std::uint64_t second = natural.stream_reports[1].info.bytes;
+  GltfPackOptions options;
+  const std::uint64_t target = first * 95 / 100 + second * 3 / 4;
+  options.encode.quality.target_bytes = target;
+  const GltfReport report = pack_ok(builder.glb(), options).report;
+  EXPECT_EQ(report.streams, 2U);
+  EXPECT_LE(report.stream_bytes, target);
+  options.encode.quality.target_bytes = 700;
+  const auto refused = pack_gltf(builder.glb(), options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kUnmetRequest);
 }
 
 TEST(GltfMeshStreams, ASemanticOfTwoTypesIsTwoAttributes) {

@@ -17,7 +17,7 @@ namespace deltamesh {
 Result<std::vector<std::byte>> read_file(const std::string& path) noexcept;
 
 /// Whole or not at all: to a temporary file beside it, then a rename. Devices and pipes are written in place,
-/// and what a link points to is replaced. Errors: kFileWrite, kOutOfMemory.
+/// links stay, and what they point to is replaced or made. Errors: kFileWrite, kOutOfMemory.
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept;
 
 }  // namespace deltamesh

@@ -68,6 +68,7 @@ struct ReadReport : LossReport {
   /// glTF: the largest factor by which a KHR_texture_transform stretches texture coordinates: a bound that is
   /// to hold on textures has to be divided by it.
   double uv_scale = 1;
+  std::vector<std::string> files{};  ///< that it names, in its folder: buffers, images, material libraries
 };
 
 struct WriteReport : LossReport {};

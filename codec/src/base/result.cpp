@@ -14,10 +14,28 @@ namespace {
 constexpr std::array<const char*, 7> kUnits{"",          "byte ",      "line ",   "vertex ",
                                             "triangle ", "attribute ", "element "};
 
+bool is_continuation(char c) noexcept { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; }
+
+/// Bytes of the UTF-8 character that `bytes` begin with; 0 where that is none, or a control.
+std::size_t shown_size(std::string_view bytes) noexcept {
+  const auto first = static_cast<unsigned char>(bytes[0]);
+  if (first < 0x80) return first >= ' ' && first <= '~' ? 1 : 0;
+  const std::size_t size = first >= 0xf0 && first <= 0xf4 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || bytes.size() < size) return 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if (!is_continuation(bytes[i])) return 0;
+  const bool is_control = first == 0xc2 && static_cast<unsigned char>(bytes[1]) < 0xa0;
+  return is_control ? 0 : size;
+}
+
 /// In quotes; bytes that a terminal may not show as they are become '?'.
 std::string quoted(std::string_view bytes) {
   std::string text = "'";
-  for (const char c : bytes) text += c >= ' ' && c <= '~' ? c : '?';
+  while (!bytes.empty()) {
+    const std::size_t size = shown_size(bytes);
+    text += size > 0 ? bytes.substr(0, size) : "?";
+    bytes.remove_prefix(size > 0 ? size : 1);
+  }
   return text + "'";
 }
 
@@ -42,7 +60,7 @@ std::string describe(const Error& error) {
   }
   if (error.best_value > 0) text += ", the best is " + short_number(error.best_value);
   if (error.best_bytes > 0)
-    text += std::string(error.best_value > 0 ? " in " : ", the least is ") +
+    text += std::string(error.best_value > 0 ? " in " : ", the smallest found has ") +
             std::to_string(error.best_bytes) + " bytes";
   if (*error.rule != '\0') text += std::string(" [") + error.rule + "]";
   return text;

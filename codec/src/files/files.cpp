@@ -12,10 +12,10 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <new>
-#include <optional>
+#include <system_error>
 
 namespace deltamesh {
 namespace {
@@ -70,6 +70,21 @@ bool set_mode(int descriptor, const std::string& target) noexcept {
   return fchmod(descriptor, static_cast<mode_t>(0666) & ~mask) == 0;
 }
 
+/// What a chain of symbolic links leads to, whether or not it exists: links stay, and what they point to is
+/// written.
+Result<std::string> behind_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the kernel follows
+  std::filesystem::path target = path;
+  std::error_code failed;
+  for (int links = 0; std::filesystem::is_symlink(target, failed); ++links) {
+    if (links == kMostLinks) return kCannotCreate;
+    const auto next = std::filesystem::read_symlink(target, failed);
+    if (failed) return kCannotCreate;
+    target = target.parent_path() / next;
+  }
+  return target.string();
+}
+
 Result<void> write_in_place(const std::string& path, std::span<const std::byte> bytes) {
   const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) return kCannotCreate;
@@ -114,9 +129,8 @@ Result<void> write_file(const std::string& path, std::span<const std::byte> byte
   struct stat status {};
   // Devices and pipes ("/dev/stdout", "/dev/null") cannot be replaced by a rename: they are written in place.
   if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) return write_in_place(path, bytes);
-  // A link stays a link: what it points to is replaced.
-  const std::unique_ptr<char, decltype(&std::free)> resolved(realpath(path.c_str(), nullptr), &std::free);
-  return replace_file(resolved ? resolved.get() : path, bytes);
+  const Result<std::string> target = behind_links(path);
+  return target ? replace_file(*target, bytes) : Result<void>(target.error());
 } catch (const std::bad_alloc&) {
   return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
 }

@@ -18,7 +18,7 @@
 #include "measure/correspondence.h"
 #include "measure/measure.h"
 #include "measure/surface.h"
-#include "measure/triangle_tree.h"
+#include "measure/tree/triangle_tree.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

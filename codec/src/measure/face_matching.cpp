@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "measure/face_claim.h"
-#include "measure/point_tree.h"
+#include "measure/tree/point_tree.h"
 
 namespace deltamesh {
 namespace {
@@ -103,14 +103,14 @@ class FaceMatcher {
   bool is_free(const Claim& c) const noexcept { return matches_[c.b].face == kNoFace && taken_[c.a] == 0; }
 
   /// Free faces of A around the vertices nearest to a corner of `face`, or around those that earlier matches
-  /// say its corners are; best first.
-  std::vector<Claim> candidates(std::uint32_t face) {
+  /// say its corners are; best first. `most`: squared distance beyond which vertices do not count.
+  std::vector<Claim> candidates(std::uint32_t face, double most) {
     // The corner with the fewest faces, so that hubs cost nothing.
     const std::size_t first = 3 * std::size_t{face};
     std::size_t corner = 0;
     for (std::size_t k = 1; k < 3; ++k)
       if (b_.around(b_.corners[first + k]).size() < b_.around(b_.corners[first + corner]).size()) corner = k;
-    tree_.nearest(b_.at(face, corner), kNearVertices, near_);
+    tree_.nearest(b_.at(face, corner), kNearVertices, near_, most);
     std::vector<Claim> found;
     for (const NearPoint& near : near_) add_candidates(face, corner, near.point, found);
     for (std::size_t k = 0; k < 3; ++k)
@@ -120,7 +120,7 @@ class FaceMatcher {
     const auto same = [](const Claim& x, const Claim& y) { return x.a == y.a && x.rotation == y.rotation; };
     found.erase(std::unique(found.begin(), found.end(), same), found.end());
     // The next one is four times as far where there can be no doubt.
-    while (found.size() > 1 && (found.size() > kTrials || found.back().cost > 16 * found.front().cost))
+    while (found.size() > 1 && (found.size() > kTrials || found.back().cost > kNoDoubt * found.front().cost))
       found.pop_back();
     return found;
   }
@@ -161,10 +161,10 @@ class FaceMatcher {
 
   /// `far`: also where all candidates are a good part of an edge away.
   void start_at(std::uint32_t face, bool far) {
-    const std::vector<Claim> found = candidates(face);
-    if (found.empty()) return;
     const double edge = b_.longest_edge(face);
-    if (!far && found.front().cost > edge * edge / 4) return;
+    const double most_cost = far ? std::numeric_limits<double>::infinity() : edge * edge / 4;
+    const std::vector<Claim> found = candidates(face, kNoDoubt * most_cost);
+    if (found.empty() || found.front().cost > most_cost) return;
     Claim best = found.front();
     if (found.size() > 1 && trial_faces_left_ > 0) {
       double lowest = std::numeric_limits<double>::infinity();
@@ -216,6 +216,7 @@ class FaceMatcher {
   static constexpr std::uint32_t kNowhere = 0xffffffff;
   static constexpr std::size_t kNearVertices = 16;
   static constexpr std::size_t kTrials = 24;
+  static constexpr double kNoDoubt = 16;  ///< so many times the cost of the best: no candidate
   static constexpr std::size_t kTrialFaces = 32;
 
   const FaceGraph& a_;

@@ -11,7 +11,7 @@
 namespace deltamesh::gltf {
 
 /// All streams as `asked`; its progress tells of all, its bytes are for all together: each gets its share by
-/// what it takes without such a limit. Errors: as pack_gltf().
+/// what it takes without such a limit, or what it needs at least. Errors: as pack_gltf().
 Result<std::vector<PackedPrimitive>> pack_streams(StreamPacker& packer, const std::vector<StreamPlan>& plans,
                                                   const EncodeOptions& asked, GltfReport& report);
 

@@ -88,6 +88,25 @@ Result<void> write_copy(const NamedFile& file) {
   return write_file(file.path.string(), file.bytes);
 }
 
+/// What an asset at `in` consists of beside itself: `read` and the files of `uris`.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& in,
+                                            std::vector<std::filesystem::path> read,
+                                            const std::vector<std::string>& uris) {
+  for (const std::string& uri : uris)
+    if (const auto path = gltf::relative_path_of(uri)) read.push_back(in.parent_path() / *path);
+  return read;
+}
+
+Result<void> check_keeps_files(const std::vector<std::filesystem::path>& files, const std::string& output) {
+  std::error_code absent;
+  for (const std::filesystem::path& file : files)
+    if (std::filesystem::equivalent(file, output, absent))
+      return with_found(
+          {.code = ErrorCode::kFileWrite, .message = "the output would replace a file of the asset"},
+          file.filename().string());
+  return {};
+}
+
 template <class Convert>
 Result<GltfReport> convert_file(const std::string& in, const std::string& out, Convert&& convert) {
   std::string buffer_path;
@@ -95,12 +114,9 @@ Result<GltfReport> convert_file(const std::string& in, const std::string& out, C
   DELTAMESH_TRY(const GltfIo io, file_io(in, out, buffer_path, read));
   DELTAMESH_TRY(const auto asset, read_file(in));
   DELTAMESH_TRY(GltfOutput output, convert(asset, io));
-  std::error_code absent;
-  for (const std::filesystem::path& file : read)
-    if (!output.buffer.empty() && std::filesystem::equivalent(file, buffer_path, absent))
-      return with_found(
-          {.code = ErrorCode::kFileWrite, .message = "the new buffer would replace one of the asset"},
-          std::filesystem::path(buffer_path).filename().string());
+  const auto own = files_of(in, read, output.uris);
+  DELTAMESH_CHECK(check_keeps_files(own, out));
+  if (!output.buffer.empty()) DELTAMESH_CHECK(check_keeps_files(own, buffer_path));
   DELTAMESH_TRY(const auto files, files_to_copy(output.uris, in, out, {out, buffer_path}, output.report));
   for (const NamedFile& file : files) DELTAMESH_CHECK(write_copy(file));
   output.report.copied_files = files.size();

@@ -86,11 +86,6 @@ Result<StreamPacker::Coded> StreamPacker::code(const StreamPlan& plan, const Enc
   return coded;
 }
 
-Result<std::uint64_t> StreamPacker::measure(const StreamPlan& plan, const EncodeOptions& asked) const {
-  DELTAMESH_TRY(const Coded coded, code(plan, asked));
-  return std::uint64_t{coded.encoded.bytes.size()};
-}
-
 Result<void> StreamPacker::choose_lattices(const std::vector<StreamPlan>& plans, const EncodeOptions& asked) {
   if (asked.lossless) return {};
   for (const StreamPlan& plan : plans) {
@@ -137,9 +132,8 @@ Result<bool> StreamPacker::pays(const StreamPlan& plan, std::uint64_t stream_byt
   return packed < plain;
 }
 
-Result<std::vector<PackedPrimitive>> StreamPacker::pack(const StreamPlan& plan, const EncodeOptions& asked,
+Result<std::vector<PackedPrimitive>> StreamPacker::pack(const StreamPlan& plan, Coded coded,
                                                         GltfReport& report) {
-  DELTAMESH_TRY(Coded coded, code(plan, asked));
   DELTAMESH_TRY(const bool worthwhile, pays(plan, coded.encoded.bytes.size()));
   if (!options_.fallback && !worthwhile) {
     report.not_smaller += plan.primitives.size();

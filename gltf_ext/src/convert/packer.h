@@ -30,26 +30,24 @@ class StreamPacker {
   /// pack_gltf().
   Result<void> choose_lattices(const std::vector<StreamPlan>& plans, const EncodeOptions& asked);
 
-  /// Codes one stream as `asked` and counts it in `report`; returns what the plan's primitives become:
+  struct Coded {
+    StreamMesh merged;
+    Encoded encoded;
+  };
+  /// One stream as `asked`, beside the asset. Errors: as pack_gltf().
+  Result<Coded> code(const StreamPlan& plan, const EncodeOptions& asked) const;
+
+  /// Puts the stream into the asset and counts it in `report`; returns what the plan's primitives become:
   /// nothing where they stay as they are, as that takes fewer bytes.
   /// Errors: as pack_gltf().
-  Result<std::vector<PackedPrimitive>> pack(const StreamPlan& plan, const EncodeOptions& asked,
-                                            GltfReport& report);
-
-  /// Bytes of a stream that is coded as `asked`. Errors: as pack_gltf().
-  Result<std::uint64_t> measure(const StreamPlan& plan, const EncodeOptions& asked) const;
+  Result<std::vector<PackedPrimitive>> pack(const StreamPlan& plan, Coded coded, GltfReport& report);
 
   /// Writes the accessors of all streams: until then the originals are still read.
   void write_accessors() { edits_.apply(); }
 
  private:
-  struct Coded {
-    StreamMesh merged;
-    Encoded encoded;
-  };
   /// Whether the asset gets smaller by the stream.
   Result<bool> pays(const StreamPlan& plan, std::uint64_t stream_bytes) const;
-  Result<Coded> code(const StreamPlan& plan, const EncodeOptions& asked) const;
   std::vector<PackedPrimitive> describe(const StreamPlan& plan, const StreamMesh& merged,
                                         const Mesh& decoded);
   Json described(Json accessor, const Column& column, bool bounds);

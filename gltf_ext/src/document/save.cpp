@@ -3,29 +3,14 @@
 #include "document/save.h"
 
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "base/try.h"
 #include "document/others.h"
+#include "io/gltf/content/named_files.h"
 #include "io/gltf/uri.h"
 
 namespace deltamesh::gltf {
-namespace {
-
-std::vector<std::string> relative_uris(const Json& json) {
-  std::vector<std::string> uris;
-  for_each_object(json, [&](const Json& object, std::string_view) {
-    const Json* uri = find(object, "uri");
-    if (!uri || !uri->is_string()) return;
-    const auto& text = uri->get_ref<const std::string&>();
-    if (text.find(':') == text.npos) uris.push_back(text);
-  });
-  return uris;
-}
-
-}  // namespace
-
 Result<GltfOutput> save_document(Document document, const GltfIo& io, const GltfReport& report) {
   GltfOutput output;
   output.report = report;

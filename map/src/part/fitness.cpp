@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "measure/surface.h"
-#include "measure/triangle_tree.h"
+#include "measure/tree/triangle_tree.h"
 #include "support/color_value.h"
 
 namespace deltamesh {

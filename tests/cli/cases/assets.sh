@@ -17,6 +17,8 @@ sed 's/parts_plain.bin/parts 10%.bin/' parts_plain.gltf >percent.gltf
 quiet encode percent.gltf percent.dmsh && say "a name with a percent sign is read"
 sed 's/parts_plain.bin/..\/parts.bin/' parts_plain.gltf >unsafe.gltf
 run encode unsafe.gltf unsafe.dmsh
+sed 's/parts_plain.bin/Stra\xc3\x9fe\xc2\x9b.bin/' parts_plain.gltf >letters.gltf
+run encode letters.gltf letters.dmsh
 # What an asset names goes with it.
 mkdir there
 printf 'pixels' >t.png

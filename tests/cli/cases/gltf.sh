@@ -30,7 +30,11 @@ sed 's/parts.bin/other.bin/' parts.gltf >renamed.gltf
 cp parts.bin other.bin
 run gltf pack renamed.gltf other.gltf
 cmp parts.bin other.bin
-rm renamed.gltf other.bin parts.bin
+sed 's/"asset": *{/"images":[{"uri":"image.bin"}],"asset":{/' parts.gltf >pictured.gltf
+cp parts.bin image.bin
+run gltf pack pictured.gltf image.gltf
+cmp parts.bin image.bin
+rm pictured.gltf image.bin renamed.gltf other.bin parts.bin
 run gltf pack parts.gltf whole.glb
 run encode parts.gltf whole.dmsh
 rm parts.gltf

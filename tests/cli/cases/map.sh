@@ -44,8 +44,22 @@ for ask in '--max-error 0.05' '--max-error 0.02%' '--max-error 0.02%' '' '--vde 
   quiet map split rooms.ply bounds.map --part-edge 2 $ask
   say "$ask ->$(grep '^ *bounds' .out | tr -s ' ')"
 done
-echo damaged >bounds.map/bounds.json
-run map split rooms.ply bounds.map --part-edge 2
+damaged_bounds() { echo "$1" >bounds.map/bounds.json; run map split rooms.ply bounds.map --part-edge 2; }
+damaged_bounds damaged
+damaged_bounds '{"asked":{"vde":"none"},"bounds":{}}'
+damaged_bounds '{"asked":{"max_error":"none"},"bounds":{}}'
+damaged_bounds '{"asked":{"lfe":7},"bounds":{}}'
+damaged_bounds '{"asked":{},"bounds":{"lfe":"1%"}}'
+damaged_bounds '{"asked":{}}'
+damaged_bounds '{"asked":{},"bounds":{},"attributes":{"normal_error":181}}'
+# Bounds on attributes are kept, too, until there are others.
+rm -r bounds.map
+for ask in '--color-error 4 --normal-error 2' '' '--color-psnr 30' '--max-error 0.01' ''; do
+  quiet map split rooms.ply bounds.map --part-edge 2 $ask
+  say "$ask ->$(grep -E '^ *(attribute )?bounds' .out | tr -s ' ' | tr '\n' ';')"
+  quiet map split rooms.ply bounds.map --part-edge 2 --json
+  grep -E '"(new_parts|attribute_bounds|keeps_attribute_bounds)"' .out
+done
 rm -r kept.map kept.json none.ply more.ply bounds.map
 status map split rooms.ply other.map --part-edge 0
 status map split rooms.ply other.map

@@ -43,10 +43,42 @@ quiet encode cube.obj cube.dmsh
 run generate sphere -
 cmp cube.obj same.obj
 cmp cube.obj cube.text
+say "nor are the files that it names:"
+quiet decode cube.dmsh cube.glb
+quiet gltf pack cube.glb parts.gltf --fallback
+quiet gltf unpack parts.gltf plain.gltf
+cp plain.bin before.bin
+sed 's/"asset": *{/"images":[{"uri":"skin%20of.png"}],"asset":{/' plain.gltf >skinned.gltf
+run encode skinned.gltf ./plain.bin
+run encode skinned.gltf skinned.dmsh --order-out plain.bin
+run encode skinned.gltf 'skin of.png'
+sed 's/plain.bin/heat.ply/' plain.gltf >heat.gltf
+cp plain.bin heat.ply
+run compare cube.obj heat.gltf --heatmap heat.ply
+mkdir -p own.map/parts
+cp skinned.gltf own.map
+sed -i 's/plain.bin/parts\/plain.bin/' own.map/skinned.gltf
+cp plain.bin own.map/parts
+run map split own.map/skinned.gltf own.map --part-edge 1
+printf 'mtllib a b.mtl\n' | cat - cube.obj >with.obj
+run encode with.obj 'a b.mtl'
+cmp plain.bin before.bin
+rm -r own.map heat.* parts.gltf parts.bin plain.gltf plain.bin before.bin skinned.gltf with.obj
 rm also_cube.dmsh
 ln -s cube.dmsh link.dmsh
 status encode cube.obj link.dmsh
 [ -L link.dmsh ] && say "the link is still one"
+mkdir away
+ln -s away/new.dmsh chain.dmsh
+ln -s chain.dmsh dangling.dmsh
+status encode cube.obj dangling.dmsh
+[ -L dangling.dmsh ] && [ -L chain.dmsh ] && cmp away/new.dmsh cube.dmsh && say "links to nowhere are followed"
+ln -s none/new.dmsh nowhere.dmsh
+run encode cube.obj nowhere.dmsh
+[ -L nowhere.dmsh ] && say "the link is still one"
+ln -s loop.dmsh loop.dmsh
+run encode cube.obj loop.dmsh
+rm -r away chain.dmsh dangling.dmsh nowhere.dmsh loop.dmsh
 chmod 640 cube.dmsh
 quiet encode cube.obj cube.dmsh
 say "mode $(stat -c %a cube.dmsh)"

@@ -45,8 +45,34 @@ quiet map info one.map --json
 grep -E '"(epoch|revision)"' .out
 cat one.map/bounds.json
 quiet verify one.map
-rm "$(ls one.map/parts/*.part | head -1)"
+# Parts that are missing or damaged are told with what makes them again.
+part=$(ls one.map/parts/*.part | head -1)
+nameless() { sed "s,${part##*/},PART,g"; }
+cp "$part" kept.part
+for damage in missing damaged; do
+  rm -f "$part"
+  [ $damage = damaged ] && echo damaged >"$part"
+  for command in 'tiles finish' verify 'map info'; do
+    capture $command one.map
+    say "$command: exit $code"
+    nameless <.err
+  done
+done
+cp kept.part "$part"
+quiet tiles finish one.map
+cp one.map/tiles/0.tile other.tile
+quiet tiles plan one.map a.ply $ask --vde 0.002 --max-error none
+cp other.tile one.map/tiles/0.tile
 run tiles finish one.map
+echo damaged >one.map/tiles/0.tile
+run tiles finish one.map
+cp one.map/tiles/plan.json plan.json
+for change in 's/"geometry": 0/"geometry": 99/' 's/"effort": 1/"effort": -1/' 's/"vde": "0.002"/"vde": "-1"/' \
+  's/"vde": "0.002"/"vde": "0.1%"/' 's/"normal_error": 0.5/"normal_error": "0.5"/' 's/"revision": 4/"revision": 1e30/' \
+  's/"drop_invalid": false/"drop_invalid": 0/' 's/"triangles": [0-9]*/"triangles": null/' 's/"effort"/"effect"/'; do
+  sed "$change" plan.json >one.map/tiles/plan.json
+  run tiles finish one.map
+done
 # Files that do not fit together, or are others than planned with.
 cube cube.obj
 sed '/^f/i vn 0 0 1' cube.obj | sed -E '/^f/s/([0-9]+)/\1\/\/1/g' >normals.obj

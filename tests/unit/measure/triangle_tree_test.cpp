@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "measure/triangle_tree.h"
+#include "measure/tree/triangle_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -18,6 +18,7 @@
 #include "io/gltf/attributes.h"
 #include "io/gltf/content/groups.h"
 #include "io/gltf/content/left_out.h"
+#include "io/gltf/content/named_files.h"
 #include "io/gltf/content/texture_transform.h"
 #include "io/gltf/document.h"
 #include "io/gltf/scene.h"
@@ -61,6 +62,7 @@ class Assembly {
     fill_normals();
     groups_.move_into(imported_);
     leave_out_parts(document_.json, imported_.report);
+    imported_.report.files = named_files(document_.json);
     return std::move(imported_);
   }
 

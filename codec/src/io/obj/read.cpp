@@ -18,11 +18,11 @@ namespace deltamesh {
 namespace {
 
 /// Statements of OBJ that are left out: materials, curves, surfaces, display.
-constexpr std::array<std::string_view, 34> kOtherStatements{
-    "mtllib", "vp",     "cstype", "deg",  "bmat", "step",       "curv",     "curv2",    "surf",
-    "parm",   "trim",   "hole",   "scrv", "sp",   "end",        "con",      "mg",       "bevel",
-    "lod",    "maplib", "usemap", "call", "csh",  "ctech",      "stech",    "c_interp", "d_interp",
-    "bsp",    "bzp",    "cdc",    "cdp",  "res",  "shadow_obj", "trace_obj"};
+constexpr std::array<std::string_view, 33> kOtherStatements{
+    "vp",     "cstype", "deg",  "bmat", "step",       "curv",     "curv2",    "surf",     "parm",
+    "trim",   "hole",   "scrv", "sp",   "end",        "con",      "mg",       "bevel",    "lod",
+    "maplib", "usemap", "call", "csh",  "ctech",      "stech",    "c_interp", "d_interp", "bsp",
+    "bzp",    "cdc",    "cdp",  "res",  "shadow_obj", "trace_obj"};
 
 /// The numbers on the rest of a line.
 struct Numbers {
@@ -70,6 +70,7 @@ class ObjReader {
     if (word == "o") return begin(&GroupName::object);
     if (word == "g") return begin(&GroupName::group);
     if (word == "usemtl") return begin(&GroupName::material);
+    if (word == "mtllib") return name_library();
     const std::string_view rest = rest_of_statement();
     if (word == "l" || word == "p") {
       report_.leave_out(LeftOutKind::kPrimitives, word == "l" ? "lines" : "points");
@@ -91,11 +92,22 @@ class ObjReader {
     return first;
   }
 
-  Result<void> begin(std::string GroupName::*level) {
+  /// The words behind a statement's, as one name.
+  std::string rest_as_name() {
     std::string name;
     for (auto word = scanner_.next_token_on_line(); !word.empty(); word = scanner_.next_token_on_line())
       (name += name.empty() ? "" : " ") += word;
-    groups_.begin(level, name, report_);
+    return name;
+  }
+
+  Result<void> begin(std::string GroupName::*level) {
+    groups_.begin(level, rest_as_name(), report_);
+    return {};
+  }
+
+  Result<void> name_library() {
+    report_.files.push_back(rest_as_name());
+    report_.leave_out(LeftOutKind::kElements, "mtllib");
     return {};
   }
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Nearest point on a triangle soup: a tree of axis-aligned boxes.
+// Nearest point on a triangle soup: boxes of triangles in a tree.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/numbers/vec3.h"
+#include "measure/tree/box_tree.h"
 
 namespace deltamesh {
 
@@ -34,19 +33,11 @@ class TriangleTree {
   SurfacePoint nearest(const Vec3& p, std::uint32_t hint = 0) const noexcept;
 
  private:
-  /// In depth-first order: the left child of an inner node follows it.
-  struct Node {
-    Box box;
-    std::uint32_t first = 0;  ///< leaf: its first entry of order_; inner: its right child
-    std::uint32_t count = 0;  ///< leaf: its entries; inner: 0
-  };
   SurfacePoint nearest_on(std::uint32_t triangle, const Vec3& p) const noexcept;
-  Box box_of(std::span<const std::uint32_t> members) const noexcept;
 
   std::span<const Vec3> positions_;
   std::span<const std::uint32_t> triangles_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  BoxTree boxes_;
 };
 
 }  // namespace deltamesh

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace deltamesh::cli {
 
 struct FiledPlan {
   TilePlan plan;
-  std::vector<std::string> files;  ///< of the meshes, by number
-  bool drop_invalid = false;       ///< as ReadOptions, for all of them
+  std::vector<std::string> files;           ///< of the meshes, by number
+  bool drop_invalid = false;                ///< as ReadOptions, for all of them
+  std::optional<AttributeQuality> asked{};  ///< of attributes; empty: nothing
 };
 
 /// Replaces the plan that a folder has, and forgets which tiles were done. Errors: kFileWrite, kOutOfMemory.
@@ -24,8 +26,8 @@ Result<void> save_plan(const std::string& folder, const FiledPlan& plan);
 
 bool has_plan(const std::string& folder);
 
-/// Errors: kFileOpen, kFileRead, kCorrupt (no plan).
-Result<FiledPlan> load_plan(const std::string& folder);
+/// Empty, and what is wrong of which file, where the folder has no plan or one that is damaged.
+std::optional<FiledPlan> load_plan(const std::string& folder, std::string& wrong);
 
 /// The file that is there once a tile is done: its manifest.
 std::string tile_file(const std::string& folder, std::size_t tile);

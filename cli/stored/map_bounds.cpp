@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+#include "stored/map_bounds.h"
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <system_error>
+
+#include "deltamesh/files.h"
+#include "exit_codes.h"
+#include "option_numbers.h"
+#include "report/console.h"
+#include "stored/quality.h"
+
+namespace deltamesh::cli {
+namespace {
+
+std::string path_in(const std::string& folder) {
+  return (std::filesystem::path(folder) / "bounds.json").string();
+}
+
+}  // namespace
+
+bool load_bounds(const std::string& folder, MapBounds& bounds, int& status) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path_in(folder), ignored)) return true;
+  const std::string wrong = read_json(path_in(folder), [&](const JsonValue& json) {
+    bounds.asked = bounds_of(json.member("asked"), true);
+    bounds.bounds = bounds_of(json.member("bounds"), false);
+    if (const auto attributes = json.optional_member("attributes"))
+      bounds.attributes = attributes_of(*attributes);
+  });
+  if (wrong.empty()) return true;
+  print_error(path_in(folder), wrong + "; delete that file and ask for bounds");
+  status = kBadStream;
+  return false;
+}
+
+Result<void> save_bounds(const std::string& folder, const MapBounds& bounds) {
+  if (bounds.asked.empty() && bounds.bounds.empty() && !bounds.attributes) {
+    std::error_code ignored;
+    std::filesystem::remove(path_in(folder), ignored);  // of a map that was deleted
+    return {};
+  }
+  nlohmann::json json{{"asked", json_of(bounds.asked)}, {"bounds", json_of(bounds.bounds)}};
+  if (bounds.attributes) json["attributes"] = json_of(*bounds.attributes);
+  const std::string text = json.dump() + '\n';
+  return write_file(path_in(folder), std::as_bytes(std::span(text)));
+}
+
+std::string bounds_text(const MapBounds& map) {
+  struct Member {
+    const char* name;
+    std::optional<QualityBound> QualityRequest::*bound;
+  };
+  constexpr std::array<Member, 3> kMembers{{{"max error", &QualityRequest::max_error},
+                                            {"vde", &QualityRequest::vde},
+                                            {"lfe", &QualityRequest::lfe}}};
+  const bool is_default = map.asked.empty();
+  std::string text;
+  for (const Member& member : kMembers) {
+    const auto& asked = (is_default ? map.bounds : map.asked).*member.bound;
+    if (!asked) continue;
+    text += (text.empty() ? "" : ", ") + std::string(member.name) + ' ';
+    const auto& bound = map.bounds.*member.bound;
+    text += is_default ? brief(asked->value) : text_of(*asked);
+    if (asked->unit == QualityUnit::kDiagonal && bound) text += " = " + brief(bound->value);
+  }
+  return text.empty() ? "none yet" : text;
+}
+
+std::string attribute_bounds_text(const AttributeQuality& quality) {
+  const AttributeQuality usual;
+  std::string text;
+  const auto add = [&](const std::string& name, double bound, bool is_mean = false) {
+    text += (text.empty() ? "" : ", ") + name + ' ' + brief(bound) + (is_mean ? " (rms)" : "");
+  };
+  if (quality.normal_error != usual.normal_error) add("normals", quality.normal_error);
+  if (quality.tangent_error) add("tangents", *quality.tangent_error);
+  if (quality.uv_error != usual.uv_error) add("texture coordinates", quality.uv_error);
+  if (quality.color_error) add("colours", *quality.color_error);
+  if (quality.color_rms) add("colours", *quality.color_rms, true);
+  if (quality.weight_error != usual.weight_error) add("weights", quality.weight_error);
+  for (const NamedBound& bound : quality.named) add(bound.name, bound.error, bound.is_mean);
+  return text.empty() ? "as by default" : text;
+}
+
+}  // namespace deltamesh::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// bounds.json of a map's folder: what was asked when the map was last made or changed.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "deltamesh/attribute_quality.h"
+#include "deltamesh/map/encode_map.h"
+#include "deltamesh/result.h"
+
+namespace deltamesh::cli {
+
+struct MapBounds {
+  QualityRequest asked{};                        ///< as MapState has it
+  QualityRequest bounds{};                       ///< likewise
+  std::optional<AttributeQuality> attributes{};  ///< what was asked of attributes; empty: nothing
+};
+
+/// Fills `bounds`; a folder without the file leaves them empty. Where the file is wrong, says so and leaves
+/// the exit code in `status`.
+bool load_bounds(const std::string& folder, MapBounds& bounds, int& status);
+
+/// Where nothing is known there is no file. Errors: kFileWrite.
+Result<void> save_bounds(const std::string& folder, const MapBounds& bounds);
+
+/// "max error 0.02% = 0.00146, vde 0.01": what was asked of positions, and what it is in model units where
+/// that is in percent.
+std::string bounds_text(const MapBounds& bounds);
+
+/// "normals 1, colours 4 (rms)": what was asked of attributes, where it is not the default.
+std::string attribute_bounds_text(const AttributeQuality& quality);
+
+}  // namespace deltamesh::cli
