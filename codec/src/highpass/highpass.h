@@ -60,9 +60,14 @@ class HighpassCoder {
   /// decides on VDE, without a solve. Infinite where the step is too small. O(n + edges).
   double delta_error(const HighpassSettings& settings);
 
+  /// What so many cycles leave out of positions at most, before deltas and anchors make up for it;
+  /// settings.more_anchors do not matter. Errors: as Compensation::improve(). Cost: a solve, where the last
+  /// call was not for the same anchors and cycles.
+  Result<double> left_out_by(const HighpassSettings& settings, int cycles);
+
   /// The fewest cycles, `from` or more, that serve `settings`: with more of them, errors would hardly be
-  /// smaller. What they leave out of positions, before deltas and anchors make up for it, is `most_left_out`
-  /// at most. Cost: a few times as many solves as cycles that are tried.
+  /// smaller; and left_out_by() is `most_left_out` at most. Cost: a few times as many solves as cycles that
+  /// are tried.
   int fewest_cycles(const HighpassSettings& settings, double most_left_out, int from);
 
   /// Deltas and anchors for so many planned cycles, 1 or more, make up for what these leave out
@@ -102,6 +107,8 @@ class HighpassCoder {
     double left_out = 0;           ///< before the last round
     Quantized quantized{};
   };
+  /// One more round of source_.
+  Result<void> compensate_once();
   /// Sets source_.
   Result<void> compensate(const HighpassSettings& settings, int cycles);
   /// `positions`: n, of which those of the anchors count.

@@ -155,7 +155,7 @@ Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings)
                symbols_for(quantized_, anchors, settings.anchor_bits, positions_));
 }
 
-Result<void> HighpassCoder::compensate(const HighpassSettings& settings, int cycles) {
+Result<double> HighpassCoder::left_out_by(const HighpassSettings& settings, int cycles) {
   std::vector<std::uint32_t> rows = anchor_rows(anchors_.first(graph_, settings.anchors).vertices, part_);
   if (!source_ || source_->cycles != cycles || source_->rows != rows) {
     source_.reset();
@@ -163,14 +163,25 @@ Result<void> HighpassCoder::compensate(const HighpassSettings& settings, int cyc
                      .cycles = cycles,
                      .compensation = Compensation(part_, positions_, middle(box_))};
   }
-  while (source_->rounds == 0 || (source_->rounds < kMostRounds && source_->left_out > settings.step)) {
-    DELTAMESH_TRY(const double left_out, source_->compensation.improve(solver_, source_->rows, cycles));
-    if (source_->rounds == 0) source_->left_out_at_first = left_out;
-    source_->left_out = left_out;
-    source_->quantized = {};
-    ++source_->rounds;
+  if (source_->rounds == 0) {
+    DELTAMESH_CHECK(compensate_once());
+    source_->left_out_at_first = source_->left_out;
   }
-  if (source_->left_out > source_->left_out_at_first && source_->left_out > kConverged * box_.longest_side())
+  return source_->left_out_at_first;
+}
+
+Result<void> HighpassCoder::compensate_once() {
+  DELTAMESH_TRY(source_->left_out, source_->compensation.improve(solver_, source_->rows, source_->cycles));
+  source_->quantized = {};
+  ++source_->rounds;
+  return {};
+}
+
+Result<void> HighpassCoder::compensate(const HighpassSettings& settings, int cycles) {
+  DELTAMESH_TRY(const double left_out_at_first, left_out_by(settings, cycles));
+  while (source_->rounds < kMostRounds && source_->left_out > settings.step)
+    DELTAMESH_CHECK(compensate_once());
+  if (source_->left_out > left_out_at_first && source_->left_out > kConverged * box_.longest_side())
     return Error{
         .code = ErrorCode::kInvalidStream, .message = "planned cycles do not converge", .rule = "DELT-7"};
   return {};
@@ -207,15 +218,21 @@ Result<PlanErrors> HighpassCoder::least_errors(const HighpassSettings& settings,
 int HighpassCoder::fewest_cycles(const HighpassSettings& settings, double most_left_out, int from) {
   if (part_.row_count == 0) return 1;
   const double invisible = kInvisible * box_.longest_side();
-  const auto best = least_errors(settings, kBestCycles);
-  if (!best) return kMostCyclesTried;
-  const auto plain = code_only(settings);
-  if (!plain) return kMostCyclesTried;
-  const auto most_bytes =
-      static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->deltas.size())) + kFewBytes;
+  std::optional<PlanErrors> best;  // known once little enough is left out
+  std::size_t most_bytes = 0;
   const auto serves = [&](int cycles) {
+    const auto left_out = left_out_by(settings, cycles);  // one solve; all that follows takes several
+    if (!left_out || !(*left_out <= most_left_out)) return false;
+    if (!best) {
+      const auto errors = least_errors(settings, kBestCycles);
+      const auto plain = code_only(settings);
+      if (!errors || !plain) return false;
+      best = *errors;
+      most_bytes =
+          static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->deltas.size())) + kFewBytes;
+    }
     const auto result = code(settings, cycles);
-    return result && source_->left_out_at_first <= most_left_out && result->deltas.size() <= most_bytes &&
+    return result && result->deltas.size() <= most_bytes &&
            errors_between(part_, positions_, result->positions).are_fair(*best, invisible);
   };
   // More cycles serve better, and take longer to try: up in growing strides, then between the last two.

@@ -104,6 +104,9 @@ Result<std::uint64_t> MeshHighpassTrials::bytes(const HighpassSettings& settings
 
 std::vector<std::uint32_t> MeshHighpassTrials::worst_vertices(const Candidate& candidate, double threshold,
                                                               std::size_t count) {
+  // Beside an anchor more the deltas make up for what is not left out any more.
+  const auto left_out = coder_.left_out_by(candidate.settings, candidate.highpass.cycles);
+  if (!left_out || *left_out > request_.bounds.max_error) return {};
   std::vector<double> errors(candidate.solution.size());
   for (std::size_t v = 0; v < errors.size(); ++v) {
     Vec3 decoded = candidate.solution[v];

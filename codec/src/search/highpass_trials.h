@@ -36,7 +36,7 @@ class HighpassTrials {
   /// Cheap. VDE is proportional to it, whatever the step and the strength of diffusion.
   virtual double delta_error(const HighpassSettings& settings) = 0;
   /// At most `count` vertices whose error is largest among the vertices around them and above `threshold`,
-  /// largest first.
+  /// largest first. None where anchors there would do more harm.
   virtual std::vector<std::uint32_t> worst_vertices(const Candidate& candidate, double threshold,
                                                     std::size_t count) = 0;
 
