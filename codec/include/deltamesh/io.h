@@ -62,7 +62,7 @@ struct LossReport {
 struct ReadReport : LossReport {
   std::uint64_t polygons = 0;        ///< faces with more than three corners, triangulated
   std::uint64_t welded_corners = 0;  ///< STL: corners merged by equal position
-  /// Largest distance of a vertex from the file's coordinates, which may be double; see
+  /// Largest distance of a vertex that faces use from the file's coordinates, which may be double; see
   /// EncodeOptions::source_error.
   double position_error = 0;
   /// glTF: the largest factor by which a KHR_texture_transform stretches texture coordinates: a bound that is

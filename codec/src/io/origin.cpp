@@ -17,10 +17,17 @@ namespace {
 
 constexpr double kFloatMax = std::numeric_limits<float>::max();
 
-Box finite_box(std::span<const double> coordinates) noexcept {
+/// Those that corners name; all where there are no corners.
+std::vector<bool> counted_vertices(std::size_t vertices, std::span<const std::uint32_t> corners) {
+  std::vector<bool> counted(vertices, corners.empty());
+  for (const std::uint32_t v : corners) counted[v] = true;
+  return counted;
+}
+
+Box finite_box(std::span<const double> coordinates, const std::vector<bool>& counted) noexcept {
   Box box = Box::empty();
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    if (!std::isfinite(coordinates[i])) continue;
+    if (!counted[i / 3] || !std::isfinite(coordinates[i])) continue;
     box.min[i % 3] = std::fmin(box.min[i % 3], coordinates[i]);
     box.max[i % 3] = std::fmax(box.max[i % 3], coordinates[i]);
   }
@@ -33,9 +40,9 @@ Box finite_box(std::span<const double> coordinates) noexcept {
 // half the longest side of the centre c, that is |x - c| < |c| / 8, and o is within a rounding step (or 0.5,
 // where the side exceeds 2 and so |c| exceeds 8) of c. Hence o/2 <= x <= 2o, x and o are both float32 numbers
 // (a whole number nearest to a float32 is one, too), and by Sterbenz's lemma x - o is a float32 number.
-Mesh place_origin(std::span<const double> coordinates) {
+Mesh place_origin(std::span<const double> coordinates, std::span<const std::uint32_t> corners) {
   Mesh placed;
-  const Box box = finite_box(coordinates);
+  const Box box = finite_box(coordinates, counted_vertices(coordinates.size() / 3, corners));
   const double side = box.longest_side();
   for (std::size_t k = 0; k < 3; ++k) {
     if (box.min[k] > box.max[k]) continue;
@@ -50,9 +57,13 @@ Mesh place_origin(std::span<const double> coordinates) {
   return placed;
 }
 
-void place_origin(std::span<const double> coordinates, Imported& imported) {
-  imported.mesh = place_origin(coordinates);
+void place_origin(std::span<const double> coordinates, std::span<const std::uint32_t> corners,
+                  Imported& imported) {
+  Mesh placed = place_origin(coordinates, corners);
+  imported.mesh.origin = placed.origin;
+  imported.mesh.positions = std::move(placed.positions);
   const Mesh& mesh = imported.mesh;
+  const std::vector<bool> counted = counted_vertices(mesh.vertex_count(), corners);
   std::vector<float> roundings(coordinates.size());
   double largest = 0;
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
@@ -62,10 +73,10 @@ void place_origin(std::span<const double> coordinates, Imported& imported) {
     const double distance = length(apart);
     if (!std::isfinite(distance)) continue;
     for (std::size_t k = 0; k < 3; ++k) roundings[i + k] = static_cast<float>(apart[k]);
-    largest = std::max(largest, distance);
+    if (counted[i / 3]) largest = std::max(largest, distance);
   }
   imported.report.position_error = largest;
-  if (!(largest > 0)) roundings.clear();
+  if (std::ranges::all_of(roundings, [](float rounding) { return rounding == 0; })) roundings.clear();
   imported.roundings = std::move(roundings);
 }
 

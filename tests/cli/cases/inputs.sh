@@ -42,3 +42,7 @@ run compare cube.obj cube.obj --order short.order
 run compare cube.obj empty.ply
 rm -f ./*.order
 list
+# A vertex far away that no face uses costs the others nothing.
+printf 'v 1e8 1e8 1e8\nv 100000001 1e8 1e8\nv 1e8 100000001 1e8\nv 1e38 0 0\nf 1 2 3\n' >far.obj
+quiet encode far.obj far.dmsh
+"$program" compare far.obj far.dmsh | grep 'max error'

@@ -37,7 +37,7 @@ quiet map split cad.gltf plain.map --part-edge 1000 --max-error 0.1 --uv-error 1
 cmp stretched.map/parts/* plain.map/parts/* && say "base_50: the map of cad.gltf with a fiftieth of the bound"
 quiet tiles plan stretched.tiles shrunk.gltf base_50.gltf --part-edge 1000 --max-error 0.1 --uv-error 1/4096
 grep '^  textures' .out | sed -E 's/ +/ /g'
-awk -F '[:,]' '/"uv_error"/ { print "tiles: " ($2 * 50 * 4096 == 1 ? "a fiftieth of the bound" : $2) }' stretched.tiles/tiles/plan.json
+awk -F '[:,]' '/"quality"/ { coded = 1 } coded && /"uv_error"/ { print "tiles: " ($2 * 50 * 4096 == 1 ? "a fiftieth of the bound" : $2) }' stretched.tiles/tiles/plan.json
 say "skinned meshes, whatever moves their node:"
 moves=('"translation":[100,0,0]' '"rotation":[0,0,1,0]' '"scale":[3,3,3]' '"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,5,5,1]')
 for i in 0 1 2 3; do

@@ -62,16 +62,25 @@ TEST(AttributeName, IsUtf8OfLimitedLength) {
 
 TEST(Origin, RoundingsAreWhatIsLost) {
   Imported imported;
-  place_origin(std::vector<double>{0.1, 0.5, std::nan(""), 1e9 + 0.25, 1, 2, 0.2, 3, 4}, imported);
+  place_origin(std::vector<double>{0.1, 0.5, std::nan(""), 1e9 + 0.25, 1, 2, 0.2, 3, 4}, {}, imported);
   ASSERT_EQ(imported.roundings.size(), 9U);
   for (const std::size_t i : {6U, 7U, 8U})
     EXPECT_NEAR(imported.roundings[i] + double{imported.mesh.positions[i]} + imported.mesh.origin[i % 3],
                 (std::array{0.2, 3.0, 4.0})[i - 6], 1e-15);
   EXPECT_EQ(imported.roundings[0], 0);  // of a vertex that is not finite
   EXPECT_GT(imported.report.position_error, 0);
-  place_origin(std::vector<double>{0.5, 1, 2}, imported);
+  place_origin(std::vector<double>{0.5, 1, 2}, {}, imported);
   EXPECT_EQ(imported.report.position_error, 0);
   EXPECT_TRUE(imported.roundings.empty());
+}
+
+TEST(Origin, DoesNotHangOnVerticesThatNoFaceUses) {
+  const std::vector<double> coordinates{1e8, 1e8, 1e8, 1e8 + 1, 1e8, 1e8, 1e8, 1e8 + 1, 1e8, 1e38, 0, 0};
+  const std::vector<std::uint32_t> corners{0, 1, 2};
+  Imported imported;
+  place_origin(coordinates, corners, imported);
+  EXPECT_EQ(imported.mesh.positions[3] - imported.mesh.positions[0], 1);
+  EXPECT_EQ(imported.report.position_error, 0);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ class Assembly {
     DELTAMESH_CHECK(read_positions());
     DELTAMESH_TRY(imported_.mesh.attributes, merge_attributes(document_, sets_, vertices_, imported_.report));
     for (const Part& part : parts_) DELTAMESH_CHECK(read_triangles(part));
+    place_origin(coordinates_, imported_.mesh.triangles, imported_);
     fill_normals();
     groups_.move_into(imported_);
     leave_out_parts(document_.json, imported_.report);
@@ -113,17 +114,16 @@ class Assembly {
   }
 
   Result<void> read_positions() {
-    std::vector<double> coordinates(vertices_ * 3);
+    coordinates_.resize(vertices_ * 3);
     for (const VertexSet& set : sets_) {
       DELTAMESH_TRY(const AccessorRows rows, plain_rows(document_, set.semantics.at("POSITION")));
       const bool moved = !set.transform->is_identity();
       for (std::uint64_t v = 0; v < set.count; ++v) {
         Vec3 point = vector_at(rows, v);
         if (moved) point = set.transform->point(point);
-        std::memcpy(&coordinates[3 * (set.first + v)], point.data(), sizeof point);
+        std::memcpy(&coordinates_[3 * (set.first + v)], point.data(), sizeof point);
       }
     }
-    place_origin(coordinates, imported_);
     return {};
   }
 
@@ -157,6 +157,7 @@ class Assembly {
   std::vector<std::size_t> first_primitive_;  ///< by mesh: its number over all meshes
   std::vector<VertexSet> sets_;
   std::vector<Part> parts_;
+  std::vector<double> coordinates_;  ///< vertices_ x 3
   std::vector<std::uint32_t> bare_;  ///< corners of the triangles without normals
   std::uint64_t vertices_ = 0;
   std::uint64_t corners_ = 0;

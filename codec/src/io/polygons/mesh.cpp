@@ -141,11 +141,11 @@ Result<Imported> to_triangles(PolygonMesh mesh, ReadReport report) {
     apply(split, mesh);
   }
   Imported imported{.report = std::move(report)};
-  place_origin(mesh.coordinates, imported);
   imported.mesh.group_names = std::move(mesh.group_names);
   imported.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners", mesh.faces.dropped());
   std::vector<std::uint32_t> vertices =
       mesh.corner_values.empty() ? mesh.faces.take_corners() : std::move(split.vertices);
+  place_origin(mesh.coordinates, vertices, imported);
   if (mesh.faces.are_triangles()) {
     imported.mesh.triangles = std::move(vertices);
     imported.mesh.face_groups = std::move(mesh.face_groups);
