@@ -197,15 +197,21 @@ class SharedBudget {
     return {};
   }
 
-  Result<Parts> code(double scale, double of_attributes) const {
+  Result<Parts> code(double scale, double of_attributes) {
     Request request = request_;
+    if (best_) request.form = form_;  // while nothing fits, every form counts
     // A step needs no search of its own, and leaves about such an error.
     constexpr double kStepOfError = 0.22;
     if (request.coder == GeometryCoder::kHighpass)
       request.step = kStepOfError * scale * unit_;
     else
       request.bounds.max_error = scale * unit_;
-    return code_both(task_, request, scaled(task_.options.attributes, of_attributes));
+    DELTAMESH_TRY(Parts parts, code_both(task_, request, scaled(task_.options.attributes, of_attributes)));
+    const Candidate& geometry = parts.coded.geometry;
+    const bool is_on_lattice = geometry.coder == kGeometryPredictive && !geometry.grid &&
+                               geometry.predictive.kind == PositionKind::kLattice;
+    if (is_on_lattice) form_ = geometry.form;
+    return parts;
   }
 
   Result<void> try_exactly() {
@@ -223,6 +229,8 @@ class SharedBudget {
   double unit_;       ///< the largest error at a scale of 1
   double scale_ = 1;  ///< of the errors of places
   double scale_of_attributes_ = 1;
+  std::optional<PositionForm>
+      form_;  ///< of the first lattice: the smallest at one scale is so, or nearly, at all
   std::optional<Parts> best_;
   bool is_exact_ = false;  ///< best_
   std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();

@@ -92,7 +92,7 @@ class BoundSearch {
       if (bracket.tell(excess_of_load(load))) best = std::move(trial);
       if (load == 0) break;
     }
-    return best ? std::optional(trials_.code(*best)) : std::nullopt;
+    return best ? std::optional(trials_.code(*best, trials_.request().form)) : std::nullopt;
   }
 
   std::optional<Candidate> on_voxels(const VoxelFit& fit) const {
@@ -137,8 +137,7 @@ class BudgetSearch {
 
   Result<Candidate> run() {
     if (trials_.voxels()) fit_levels(*trials_.voxels());
-    fit_lattice();
-    consider(trials_.code_exactly());
+    if (!fits_exactly()) fit_lattice();
     if (!best_) return too_few_bytes(fewest_);
     return *std::move(best_);
   }
@@ -146,7 +145,7 @@ class BudgetSearch {
  private:
   /// What `trial` takes over the budget, in bits per coordinate. The first one says in which form all are.
   double excess(const LatticeTrial& trial) {
-    Candidate candidate = form_ ? trials_.code(trial, *form_) : trials_.code(trial);
+    Candidate candidate = trials_.code(trial, form_);
     form_ = candidate.form;
     return consider(std::move(candidate));
   }
@@ -158,6 +157,13 @@ class BudgetSearch {
     if (bytes <= budget && (!best_ || candidate.quality.vde_rms < best_->quality.vde_rms))
       best_ = std::move(candidate);
     return excess_of_bytes(bytes, budget, trials_.source().positions.size());
+  }
+
+  /// With every bit, which no lattice can better. The smallest form saves a tenth of one at most.
+  bool fits_exactly() {
+    constexpr PositionForm kOne{.fit = BlendFit::kSample, .guesses = Guessing::kPrediction};
+    const std::uint64_t in_one_form = trials_.code_exactly(kOne).bytes;
+    return in_one_form / 10 * 9 <= *trials_.request().target_bytes && consider(trials_.code_exactly()) <= 0;
   }
 
   void fit_lattice() {

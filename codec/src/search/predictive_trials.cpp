@@ -86,13 +86,18 @@ Candidate PredictiveTrials::finished(Candidate candidate, std::vector<std::byte>
   return candidate;
 }
 
+Candidate PredictiveTrials::in_form(const PositionForm& form, Candidate candidate,
+                                    const WritePositions& write) const {
+  candidate.form = form;
+  return finished(std::move(candidate), write(form));
+}
+
 Candidate PredictiveTrials::in_smallest_form(Candidate candidate, const WritePositions& write) const {
   const bool may_guess = candidate.predictive.kind == PositionKind::kLattice;
   if (request_.effort < kSearchEffort) {
-    candidate.form = {.fit = BlendFit::kSample,
-                      .guesses = may_guess ? Guessing::kPrediction : Guessing::kNever};
-    std::vector<std::byte> payload = write(candidate.form);
-    return finished(std::move(candidate), std::move(payload));
+    const PositionForm form{.fit = BlendFit::kSample,
+                            .guesses = may_guess ? Guessing::kPrediction : Guessing::kNever};
+    return in_form(form, std::move(candidate), write);
   }
   std::vector<std::byte> best = write(candidate.form);
   if (best.empty()) return finished(std::move(candidate), {});
@@ -167,16 +172,9 @@ std::optional<Candidate> PredictiveTrials::code_in_cubes(const LatticeTrial& tri
   return candidate;
 }
 
-Candidate PredictiveTrials::code(const LatticeTrial& trial) const {
+Candidate PredictiveTrials::code(const LatticeTrial& trial, const std::optional<PositionForm>& form) const {
   if (is_plain()) return finished(shell(trial), write_plain_cells(trial.cells));
-  return in_smallest_form(shell(trial), writer(trial));
-}
-
-Candidate PredictiveTrials::code(const LatticeTrial& trial, const PositionForm& form) const {
-  if (is_plain()) return code(trial);
-  Candidate candidate = shell(trial);
-  candidate.form = form;
-  return finished(std::move(candidate), writer(trial)(form));
+  return form ? in_form(*form, shell(trial), writer(trial)) : in_smallest_form(shell(trial), writer(trial));
 }
 
 Result<Candidate> PredictiveTrials::code_step(double step) const {
@@ -186,25 +184,26 @@ Result<Candidate> PredictiveTrials::code_step(double step) const {
   return code(try_lattice(cubic_lattice(source_.box, step)));
 }
 
-Candidate PredictiveTrials::code_floats() const {
+Candidate PredictiveTrials::code_floats(const std::optional<PositionForm>& form) const {
   Candidate candidate;
   candidate.coder = kGeometryPredictive;
   candidate.predictive.kind = PositionKind::kFloats;
   candidate.positions = to_rows(source_.positions);
   if (is_plain()) return finished(std::move(candidate), write_plain_floats(source_.positions));
-  return in_smallest_form(std::move(candidate), [&](const PositionForm& form) {
-    return write_floats(faces(), source_.positions, source_.box, form);
-  });
+  const auto write = [&](const PositionForm& one) {
+    return write_floats(faces(), source_.positions, source_.box, one);
+  };
+  return form ? in_form(*form, std::move(candidate), write) : in_smallest_form(std::move(candidate), write);
 }
 
-Candidate PredictiveTrials::code_exactly() const {
-  Candidate floats = code_floats();
+Candidate PredictiveTrials::code_exactly(const std::optional<PositionForm>& form) const {
+  Candidate floats = code_floats(form);
   if (is_plain()) return floats;
   const auto lattice = find_exact_lattice(source_.positions, source_.box);
   if (!lattice) return floats;
   LatticeTrial trial{.parameters = {.lattice = *lattice}, .cells = to_cells(source_.positions, *lattice)};
   trial.replacements = find_replacements(source_.positions, to_positions(trial.cells, *lattice));
-  Candidate on_lattice = code(trial);
+  Candidate on_lattice = code(trial, form);
   return on_lattice.bytes < floats.bytes ? on_lattice : floats;
 }
 

@@ -38,16 +38,16 @@ class PredictiveTrials {
   std::optional<LatticeTrial> try_levels(const VoxelFit& fit, std::uint32_t levels,
                                          const Bounds& bounds = {}) const;
 
-  /// In the smallest of the forms that the effort allows; in a given one. The plain form is but one.
-  Candidate code(const LatticeTrial& trial) const;
-  Candidate code(const LatticeTrial& trial, const PositionForm& form) const;
+  /// In a given form; without one, in the smallest of those that the effort allows. The plain form is but
+  /// one.
+  Candidate code(const LatticeTrial& trial, const std::optional<PositionForm>& form = std::nullopt) const;
   /// Of try_levels(): faces and positions at once; empty where the grid coder is no use (write_grid()).
   std::optional<Candidate> code_in_cubes(const LatticeTrial& trial) const;
   /// The cubic lattice of this step, model units, above 0. Errors: kInvalidArgument where that takes more
   /// than kMostCells.
   Result<Candidate> code_step(double step) const;
-  /// Every position to the last bit.
-  Candidate code_exactly() const;
+  /// Every position to the last bit; in a given form, or the smallest.
+  Candidate code_exactly(const std::optional<PositionForm>& form = std::nullopt) const;
 
   /// The step of 2^bits points along the longest side.
   double step_for_bits(int bits) const noexcept;
@@ -68,11 +68,12 @@ class PredictiveTrials {
   /// The payload in a given form.
   using WritePositions = std::function<std::vector<std::byte>(const PositionForm&)>;
   Candidate finished(Candidate candidate, std::vector<std::byte> payload) const;
+  Candidate in_form(const PositionForm& form, Candidate candidate, const WritePositions& write) const;
   Candidate in_smallest_form(Candidate candidate, const WritePositions& write) const;
   /// All but the chunk.
   Candidate shell(const LatticeTrial& trial) const;
   WritePositions writer(const LatticeTrial& trial) const;
-  Candidate code_floats() const;
+  Candidate code_floats(const std::optional<PositionForm>& form) const;
   bool is_plain() const noexcept { return request_.profile == Profile::kZstd; }
   bool has_usual_voxels() const noexcept;
   std::optional<VoxelFit> fit_usual_voxels() const;

@@ -12,6 +12,7 @@
 #include "deltamesh/quality_request.h"
 #include "deltamesh/result.h"
 #include "deltamesh/stream_info.h"
+#include "positions/positions.h"
 #include "topology/extent.h"
 #include "topology/source_geometry.h"
 
@@ -67,10 +68,11 @@ struct Request {
   GeometryCoder coder = GeometryCoder::kAuto;
   Profile profile = Profile::kSmallest;
   int effort = 1;
-  AnchorContainers* containers = nullptr;  ///< may be null
-  const StreamModels* start = nullptr;     ///< null for fresh models
-  const KnownMesh* known = nullptr;        ///< null: nothing is known
-  Progress* progress = nullptr;            ///< may be null
+  std::optional<PositionForm> form = std::nullopt;  ///< of lattices within bounds; empty: the smallest
+  AnchorContainers* containers = nullptr;           ///< may be null
+  const StreamModels* start = nullptr;              ///< null for fresh models
+  const KnownMesh* known = nullptr;                 ///< null: nothing is known
+  Progress* progress = nullptr;                     ///< may be null
   /// Attributes cost less on positions that decoders know to the bit, those of the predictive coder.
   bool attributes_use_positions = false;
 
