@@ -13,6 +13,13 @@
 namespace deltamesh {
 namespace {
 
+/// A flag for every vertex.
+std::vector<std::uint8_t> find_referenced(const MeshView& mesh) {
+  std::vector<std::uint8_t> referenced(mesh.vertex_count());
+  for (const std::uint32_t v : mesh.triangles) referenced[v] = 1;
+  return referenced;
+}
+
 /// The input vertex at every corner of the coded faces.
 std::vector<std::uint32_t> corner_vertices(const MeshView& mesh, const CodedConnectivity& coded) {
   std::vector<std::uint32_t> corners(mesh.triangles.size());
@@ -64,15 +71,14 @@ std::vector<std::byte> code_face_groups(const MeshView& mesh, const CodedTopolog
 
 }  // namespace
 
-std::vector<std::uint8_t> find_referenced(const MeshView& mesh) {
-  std::vector<std::uint8_t> referenced(mesh.vertex_count());
-  for (const std::uint32_t v : mesh.triangles) referenced[v] = 1;
-  return referenced;
-}
-
-WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& referenced, bool drops) {
-  Weld weld = weld_by_position(mesh.positions, referenced);
+WeldedMesh weld_mesh(const MeshView& mesh, bool keep_unreferenced, CodedTopology& topology) {
   WeldedMesh welded;
+  welded.referenced = find_referenced(mesh);
+  const std::vector<std::uint8_t>& referenced = welded.referenced;
+  for (const std::uint8_t flag : referenced) topology.unreferenced += flag == 0;
+  topology.unreferenced_kept = keep_unreferenced ? topology.unreferenced : 0;
+  const bool drops = topology.unreferenced > topology.unreferenced_kept;
+  Weld weld = weld_by_position(mesh.positions, referenced);
   welded.has_seams = weld.representative.size() < referenced.size();
   if (!welded.has_seams && !drops) {
     welded.triangles = mesh.triangles;
@@ -95,12 +101,7 @@ WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& refe
 
 CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const OpModels* start) {
   CodedTopology topology;
-  const std::vector<std::uint8_t> referenced = find_referenced(mesh);
-  for (const std::uint8_t flag : referenced) topology.unreferenced += flag == 0;
-
-  topology.unreferenced_kept = keep_unreferenced ? topology.unreferenced : 0;
-
-  const WeldedMesh welded = weld_mesh(mesh, referenced, topology.unreferenced > topology.unreferenced_kept);
+  const WeldedMesh welded = weld_mesh(mesh, keep_unreferenced, topology);
   const auto geometric_count = static_cast<std::uint32_t>(welded.representative.size());
   topology.connectivity = write_connectivity(welded.triangles, geometric_count, start);
 
@@ -108,7 +109,7 @@ CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const 
   for (const std::uint32_t g : topology.connectivity.vertex_order)
     topology.geometric_input.push_back(welded.representative[g]);
   topology.has_seams = welded.has_seams;
-  if (welded.has_seams) topology.seams = seams_of(mesh, topology, referenced);
+  if (welded.has_seams) topology.seams = seams_of(mesh, topology, welded.referenced);
   return topology;
 }
 

@@ -22,11 +22,9 @@ namespace deltamesh {
 
 inline constexpr std::uint32_t kDropped = 0xffffffff;
 
-/// A flag for every vertex.
-std::vector<std::uint8_t> find_referenced(const MeshView& mesh);
-
 /// The input's faces over vertices of different positions, without vertices that are dropped.
 struct WeldedMesh {
+  std::vector<std::uint8_t> referenced;  ///< a flag for every input vertex
   /// Geometric vertex of every input vertex, or kDropped; empty where all are kept, each alone.
   std::vector<std::uint32_t> geometric;
   std::vector<std::uint32_t> renumbered;      ///< likewise
@@ -34,9 +32,6 @@ struct WeldedMesh {
   std::vector<std::uint32_t> representative;  ///< input vertex of every geometric vertex
   bool has_seams = false;
 };
-
-/// `drops`: vertices that are not referenced. The mesh must outlive the result.
-WeldedMesh weld_mesh(const MeshView& mesh, const std::vector<std::uint8_t>& referenced, bool drops);
 
 struct CodedTopology {
   std::uint64_t unreferenced = 0;  ///< input vertices that no face uses
@@ -60,6 +55,10 @@ struct CodedTopology {
   }
   std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(vertex_order().size()); }
 };
+
+/// Without vertices that no face uses, unless they are kept; `topology` gets their numbers. The mesh must
+/// outlive the result.
+WeldedMesh weld_mesh(const MeshView& mesh, bool keep_unreferenced, CodedTopology& topology);
 
 /// `mesh` has passed check_mesh. `start`: as write_connectivity() has it. O(n + m) expected.
 CodedTopology code_topology(const MeshView& mesh, bool keep_unreferenced, const OpModels* start = nullptr);

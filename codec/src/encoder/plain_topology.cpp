@@ -63,18 +63,15 @@ std::vector<std::uint32_t> order_vertices(std::span<const std::uint32_t> triangl
 
 CodedTopology code_plain_topology(const MeshView& mesh, bool keep_unreferenced, bool keep_order) {
   CodedTopology topology;
-  const std::vector<std::uint8_t> referenced = find_referenced(mesh);
-  for (const std::uint8_t flag : referenced) topology.unreferenced += flag == 0;
-  topology.unreferenced_kept = keep_unreferenced ? topology.unreferenced : 0;
-  const WeldedMesh welded = weld_mesh(mesh, referenced, topology.unreferenced > topology.unreferenced_kept);
+  const WeldedMesh welded = weld_mesh(mesh, keep_unreferenced, topology);
   const auto geometric_count = static_cast<std::uint32_t>(welded.representative.size());
   const auto corners =
       keep_order ? corners_in_order(mesh.triangle_count()) : walk_faces(welded.triangles, geometric_count);
 
   const auto input_triangles = turned(mesh.triangles, corners);
   std::vector<std::uint32_t> order =
-      order_vertices(input_triangles, referenced, keep_unreferenced, keep_order);
-  Numbering vertices(referenced.size());
+      order_vertices(input_triangles, welded.referenced, keep_unreferenced, keep_order);
+  Numbering vertices(welded.referenced.size());
   Numbering geometric(geometric_count);
   std::vector<std::uint32_t> geometric_of;
   for (const std::uint32_t input : order) {
