@@ -199,7 +199,7 @@ class SharedBudget {
 
   Result<Parts> code(double scale, double of_attributes) {
     Request request = request_;
-    request.form = form_;
+    if (best_) request.form = form_;  // while nothing fits, every form counts
     // A step needs no search of its own, and leaves about such an error.
     constexpr double kStepOfError = 0.22;
     if (request.coder == GeometryCoder::kHighpass)
