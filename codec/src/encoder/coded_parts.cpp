@@ -11,37 +11,13 @@
 #include "base/try.h"
 #include "deltamesh/attribute_quality.h"
 #include "encoder/coded_attributes.h"
+#include "encoder/scaled_quality.h"
 #include "search/bracket.h"
 #include "search/geometry.h"
 #include "search/request.h"
 
 namespace deltamesh {
 namespace {
-
-constexpr double kLargestAngle = 45;     // degrees
-constexpr double kLargestUv = 1.0 / 16;  // texture coordinate units
-constexpr double kLargestColor = 64;     // 255ths
-constexpr double kLargestColorRms = 32;  // 255ths
-constexpr double kLargestWeight = 1.0 / 8;
-
-/// At most `largest`, unless more was asked for.
-double scaled_to(double bound, double scale, double largest) noexcept {
-  return std::min(bound * scale, std::max(bound, largest));
-}
-
-/// `quality` with every bound `scale` times as large, at most to where an attribute would mean nothing any
-/// more. What is exact stays so. `scale`: above 0.
-AttributeQuality scaled(const AttributeQuality& quality, double scale) {
-  AttributeQuality result = quality;
-  result.normal_error = scaled_to(quality.normal_error, scale, kLargestAngle);
-  if (quality.tangent_error) result.tangent_error = scaled_to(*quality.tangent_error, scale, kLargestAngle);
-  result.uv_error = scaled_to(quality.uv_error, scale, kLargestUv);
-  if (quality.color_rms) result.color_rms = scaled_to(*quality.color_rms, scale, kLargestColorRms);
-  if (quality.color_error) result.color_error = scaled_to(*quality.color_error, scale, kLargestColor);
-  result.weight_error = scaled_to(quality.weight_error, scale, kLargestWeight);
-  for (NamedBound& bound : result.named) bound.error *= scale;
-  return result;
-}
 
 /// No attribute loses a bit.
 const AttributeQuality kExactly{
