@@ -11,6 +11,7 @@ import zstandard
 from reference_decoder_test import GOLDEN
 from container import COMPACT, DRAFT, KINDS, ZSTD
 from other_decisions import with_other_decisions
+from reference_examples_test import line
 from stream_changes import Parts, sealed, varint
 
 NAN, LONG_NAN = struct.pack("<f", float("nan")), struct.pack("<d", float("nan"))
@@ -167,9 +168,9 @@ def faces():
 
 
 # Of grid.md's example: payloads of GRID and CONN.
-GRID, CONN = map(bytes.fromhex, ("76899de221be148f274fda70d4125b9f71944c630000", "33c36d76cd6406"))
+GRID, CONN = line("grid.md", "payload", bytes), line("grid.md", "conn", bytes)
 # Without a rest: a node inside, and a face that leads to (7, 7, 7) inside the last cube, beyond all that is cut.
-INNER = bytes.fromhex("753601a31b01a585e02c527bfcde01bd8c")
+INNER = bytes.fromhex("788d80a6f011b9d708848963b9feafb5")
 
 
 def grid(counts=(10, 8), cells=(8, 8, 8), levels=2, payloads=(GRID, CONN)):
