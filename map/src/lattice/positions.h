@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Positions by their bits, and those that faces of several parts have [MAP-8].
+// Positions by their bits.
 #pragma once
 
 #include <array>
 #include <bit>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 
@@ -39,14 +38,6 @@ struct PositionHash {
     }
     return static_cast<std::size_t>(hash);
   }
-};
-
-struct BorderPosition {
-  PositionBits position{};
-  LatticePoint point{};
-  std::uint32_t twin = 0;
-
-  auto operator<=>(const BorderPosition&) const = default;
 };
 
 }  // namespace deltamesh

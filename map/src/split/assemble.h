@@ -7,7 +7,7 @@
 #include <span>
 
 #include "deltamesh/map/part.h"
-#include "lattice/positions.h"
+#include "split/borders.h"
 #include "split/stored_block.h"
 
 namespace deltamesh {

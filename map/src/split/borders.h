@@ -4,6 +4,7 @@
 // The borders of all parts, kept as blocks change.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -18,6 +19,15 @@
 #include "split/position_table.h"
 
 namespace deltamesh {
+
+/// A position that faces of several parts have [MAP-8].
+struct BorderPosition {
+  PositionBits position{};
+  LatticePoint point{};
+  std::uint32_t twin = 0;
+
+  auto operator<=>(const BorderPosition&) const = default;
+};
 
 /// That a part has a border position.
 struct BorderUse {
