@@ -39,3 +39,4 @@ if cmake -S "$example" -B "$scratch/example" -DCMAKE_PREFIX_PATH="$scratch/prefi
   echo "a component that is not installed is found"
   exit 1
 fi
+grep -q 'deltamesh' "$scratch/refused"

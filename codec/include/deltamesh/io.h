@@ -65,6 +65,7 @@ struct ReadReport : LossReport {
   /// Largest distance of a vertex that faces use from the file's coordinates, which may be double; see
   /// EncodeOptions::source_error.
   double position_error = 0;
+  double unused_position_error = 0;  ///< the same of vertices that no face uses
   /// glTF: the largest factor by which a KHR_texture_transform stretches texture coordinates: a bound that is
   /// to hold on textures has to be divided by it.
   double uv_scale = 1;

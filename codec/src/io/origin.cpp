@@ -65,7 +65,8 @@ void place_origin(std::span<const double> coordinates, std::span<const std::uint
   const Mesh& mesh = imported.mesh;
   const std::vector<bool> counted = counted_vertices(mesh.vertex_count(), corners);
   std::vector<float> roundings(coordinates.size());
-  double largest = 0;
+  double& of_faces = imported.report.position_error = 0;
+  double& of_others = imported.report.unused_position_error = 0;
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
     Vec3 apart{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -73,9 +74,9 @@ void place_origin(std::span<const double> coordinates, std::span<const std::uint
     const double distance = length(apart);
     if (!std::isfinite(distance)) continue;
     for (std::size_t k = 0; k < 3; ++k) roundings[i + k] = static_cast<float>(apart[k]);
-    if (counted[i / 3]) largest = std::max(largest, distance);
+    double& largest = counted[i / 3] ? of_faces : of_others;
+    largest = std::max(largest, distance);
   }
-  imported.report.position_error = largest;
   if (std::ranges::all_of(roundings, [](float rounding) { return rounding == 0; })) roundings.clear();
   imported.roundings = std::move(roundings);
 }

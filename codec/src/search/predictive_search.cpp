@@ -163,6 +163,7 @@ class BudgetSearch {
   bool fits_exactly() {
     constexpr PositionForm kOne{.fit = BlendFit::kSample, .guesses = Guessing::kPrediction};
     const std::uint64_t in_one_form = trials_.code_exactly(kOne).bytes;
+    fewest_ = std::min(fewest_, in_one_form);
     return in_one_form / 10 * 9 <= *trials_.request().target_bytes && consider(trials_.code_exactly()) <= 0;
   }
 

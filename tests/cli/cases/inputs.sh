@@ -46,3 +46,7 @@ list
 printf 'v 1e8 1e8 1e8\nv 100000001 1e8 1e8\nv 1e8 100000001 1e8\nv 1e38 0 0\nf 1 2 3\n' >far.obj
 quiet encode far.obj far.dmsh
 "$program" compare far.obj far.dmsh | grep 'max error'
+# Where it is kept, what it loses is told.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 123456789.1 0 0\nf 1 2 3\n' >unused.obj
+run encode unused.obj unused.dmsh --keep-unreferenced --lossless --strict
+run encode unused.obj unused.dmsh --lossless --strict | grep exit

@@ -4,6 +4,8 @@
 // OBJ: vertices, texture coordinates, normals and polygons; objects, groups and materials as groups of faces.
 #include <algorithm>
 #include <array>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "base/try.h"
@@ -105,8 +107,13 @@ class ObjReader {
     return {};
   }
 
+  /// A name may have spaces, and there may be several names.
   Result<void> name_library() {
-    report_.files.push_back(rest_as_name());
+    std::string names = rest_as_name();
+    std::ranges::replace(names, '\\', '/');
+    std::istringstream words(names);
+    for (std::string word; words >> word;) report_.files.push_back(word);
+    report_.files.push_back(std::move(names));
     report_.leave_out(LeftOutKind::kElements, "mtllib");
     return {};
   }
