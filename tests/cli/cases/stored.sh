@@ -1,0 +1,18 @@
+# The JSON files of maps: bounds.json and tiles/plan.json.
+cube cube.obj
+quiet map split cube.obj cube.map --part-edge 1 --max-error 0.01
+quiet tiles plan tiles.map cube.obj --part-edge 1 --max-error 0.01
+quiet tiles encode tiles.map 0
+quiet tiles finish tiles.map
+# Arrays nested to any depth are refused like others.
+nested() { printf "%${1}s" | tr ' ' '['; printf "%${1}s" | tr ' ' ']'; }
+for depth in 1 200000; do
+  nested $depth >cube.map/bounds.json
+  run map split cube.obj cube.map --part-edge 1
+  printf '{"asked":{"vde":%s},"bounds":{}}' "$(nested $depth)" >cube.map/bounds.json
+  run map split cube.obj cube.map --part-edge 1
+  nested $depth >tiles.map/tiles/plan.json
+  run tiles finish tiles.map
+  printf '{"files":["a"],"quality":{"vde":{"a":%s}}}' "$(nested $depth)" >tiles.map/tiles/plan.json
+  run tiles finish tiles.map
+done
