@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "option_numbers.h"
+#include "stored/json_value.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -64,6 +65,7 @@ void add_named_bounds(CLI::App& command, const std::string& option, const std::s
   const auto add = [option, is_mean, &bounds](const std::string& text) {
     std::optional<NamedBound> bound = parse_named_bound(text);
     if (!bound) throw CLI::ValidationError(option, "not NAME=NUMBER: " + text);
+    if (!fits_json(bound->name)) throw CLI::ValidationError(option, "the attribute's name is not UTF-8");
     const auto same_name = [&](const NamedBound& other) { return other.name == bound->name; };
     if (std::any_of(bounds.begin(), bounds.end(), same_name))
       throw CLI::ValidationError(option, "given twice for " + bound->name);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "report/console.h"
 #include "report/losses.h"
 #include "report/map.h"
+#include "stored/json_value.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -60,12 +62,27 @@ int continue_map(const std::string& folder, TilePlan& plan) {
   return status;
 }
 
+/// The paths by which tiles find the files, from any folder; says which of them a plan cannot hold.
+std::optional<std::vector<std::string>> absolute_paths(const std::vector<std::string>& files) {
+  std::vector<std::string> paths;
+  for (const std::string& file : files) {
+    std::error_code failed;
+    paths.push_back(fs::absolute(file, failed).string());
+    if (fits_json(paths.back())) continue;
+    print_error(paths.back(), "the path is not UTF-8, which plans are written in: rename it");
+    return std::nullopt;
+  }
+  return paths;
+}
+
 int run_plan(const Planning& planning) {
   if (planning.tile_triangles < planning.settings.most_triangles) {
     print_error("--tile-triangles", grouped(planning.tile_triangles) + " is less than --part-triangles, " +
                                         grouped(planning.settings.most_triangles));
     return kUsage;
   }
+  auto paths = absolute_paths(planning.files);
+  if (!paths) return kUsage;
   auto planner = TilePlanner::make(planning.settings, planning.tile_triangles);
   if (!planner) return fail("tiles plan", planner.error());
   FiledPlan plan;
@@ -84,8 +101,6 @@ int run_plan(const Planning& planning) {
     uv_scale = std::max(uv_scale, imported->report.uv_scale);
     losses.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
     if (const auto added = planner->add(imported->mesh); !added) return fail_coding(file, added.error());
-    std::error_code failed;
-    plan.files.push_back(fs::absolute(file, failed).string());
   }
   auto planned = planner->plan();
   if (!planned) return fail("tiles plan", planned.error());
@@ -95,6 +110,7 @@ int run_plan(const Planning& planning) {
     print_error("tiles plan", "the files have no faces");
     return kBadInput;
   }
+  plan.files = *std::move(paths);
   plan.drop_invalid = planning.options.drop_invalid;
   if (planning.asks_of_attributes) plan.asked = planning.settings.quality.attributes;
   if (const int status = continue_map(planning.folder, plan.plan); status != kOk) return status;

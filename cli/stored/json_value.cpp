@@ -66,6 +66,13 @@ void JsonValue::refuse(const std::string& allowed) const {
   throw WrongJson((name_.empty() ? "the file" : name_) + " is " + shown(*json_) + "; allowed is " + allowed);
 }
 
+bool fits_json(const std::string& text) try {
+  static_cast<void>(nlohmann::json(text).dump());
+  return true;
+} catch (const nlohmann::json::type_error&) {
+  return false;
+}
+
 std::string read_json(const std::string& path, const std::function<void(const JsonValue&)>& read) try {
   const auto bytes = read_file(path);
   if (!bytes) return describe(bytes.error());

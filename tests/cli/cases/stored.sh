@@ -16,3 +16,9 @@ for depth in 1 200000; do
   printf '{"files":["a"],"quality":{"vde":{"a":%s}}}' "$(nested $depth)" >tiles.map/tiles/plan.json
   run tiles finish tiles.map
 done
+# Names that JSON cannot hold are refused before work begins.
+foreign() { capture "$@"; sed 's/\xff/?/g' .err; say "exit $code"; }
+foreign map split cube.obj new.map --part-edge 1 --max-error 0.01 --attribute-error $'\xff=1'
+foreign tiles plan new.map cube.obj --part-edge 1 --max-error 0.01 --attribute-rms $'a\xff=1'
+foreign tiles plan new.map cube.obj $'a\xff.obj' --part-edge 1 --max-error 0.01 2>&1 | sed "s,$PWD/,,"
+list
