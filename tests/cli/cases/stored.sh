@@ -22,3 +22,14 @@ foreign map split cube.obj new.map --part-edge 1 --max-error 0.01 --attribute-er
 foreign tiles plan new.map cube.obj --part-edge 1 --max-error 0.01 --attribute-rms $'a\xff=1'
 foreign tiles plan new.map cube.obj $'a\xff.obj' --part-edge 1 --max-error 0.01 2>&1 | sed "s,$PWD/,,"
 list
+# A plan is read once for all parts that are at fault, however large it is.
+quiet generate rooms rooms.ply --vertices 4000
+quiet tiles plan many.map rooms.ply --part-edge 0.2 --max-error 0.01
+quiet tiles encode many.map 0
+quiet tiles finish many.map
+rm many.map/parts/*.part
+{ echo '{"padding":[0'; yes ,0 | head -n 1000000; echo '],'; tail -n +2 many.map/tiles/plan.json; } >padded.json
+mv padded.json many.map/tiles/plan.json
+for command in 'verify' 'map info'; do
+  (ulimit -t 30; capture $command many.map; say "$command: exit $code"; sed 's/.*; //' .err | uniq)
+done
