@@ -33,3 +33,52 @@ mv padded.json many.map/tiles/plan.json
 for command in 'verify' 'map info'; do
   (ulimit -t 30; capture $command many.map; say "$command: exit $code"; sed 's/.*; //' .err | uniq)
 done
+# Bounds are for attributes that the mesh has, and kept ones too.
+cat >quad.ply <<PLY
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+property float nx
+property float ny
+property float nz
+property float intensity
+element face 2
+property list uchar int vertex_indices
+end_header
+0 0 0 0 0 1 0.25
+1 0 0 0 0 1 7.5
+1 1 0 0 0 1 1.125
+0 1 0 0 0 1 -3.0625
+3 0 1 2
+3 0 2 3
+PLY
+ask='--part-edge 1 --max-error 0.01'
+run map split cube.obj new.map $ask --attribute-error nosuch=1
+run map split quad.ply new.map $ask --attribute-rms nosuch=1
+run tiles plan new.map quad.ply $ask --attribute-error nx=1
+run tiles plan new.map cube.obj quad.ply $ask --attribute-error intensity=1
+[ -e new.map ] && say "a map was made of wrong bounds"
+quiet map split quad.ply quad.map $ask --attribute-error intensity=0.5
+run map split cube.obj quad.map $ask
+run tiles plan quad.map cube.obj $ask
+quiet map split cube.obj quad.map $ask --normal-error 1
+named() { # the map with these bounds for names
+  printf '{"asked":{},"bounds":{},"attributes":{"normal_error":1,"uv_error":1,"weight_error":1,"named":[%s]}}' "$1" \
+    >quad.map/bounds.json
+  run map split quad.ply quad.map $ask
+}
+named '["",1,false]'
+named '["intensity",1,false],["intensity",2,true]'
+# Tiles that replace a map keep its bounds on attributes until there are others.
+rm -r quad.map
+quiet map split quad.ply quad.map $ask --attribute-error intensity=0.5 --normal-error 2
+for asked in '' '--normal-error 1'; do
+  run tiles plan quad.map quad.ply $ask $asked
+  grep -A5 '"named"' quad.map/tiles/plan.json
+  quiet tiles encode quad.map 0
+  quiet tiles finish quad.map
+  cat quad.map/bounds.json
+done
