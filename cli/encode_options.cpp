@@ -8,7 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "exit_codes.h"
 #include "option_numbers.h"
+#include "report/attributes.h"
+#include "report/console.h"
+#include "stored/json_value.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -64,6 +68,7 @@ void add_named_bounds(CLI::App& command, const std::string& option, const std::s
   const auto add = [option, is_mean, &bounds](const std::string& text) {
     std::optional<NamedBound> bound = parse_named_bound(text);
     if (!bound) throw CLI::ValidationError(option, "not NAME=NUMBER: " + text);
+    if (!fits_json(bound->name)) throw CLI::ValidationError(option, "the attribute's name is not UTF-8");
     const auto same_name = [&](const NamedBound& other) { return other.name == bound->name; };
     if (std::any_of(bounds.begin(), bounds.end(), same_name))
       throw CLI::ValidationError(option, "given twice for " + bound->name);
@@ -180,6 +185,31 @@ void add_encode_options(CLI::App& command, EncodeOptions& options) {
 
 bool asks_of_attributes(const CLI::App& command) {
   return std::ranges::any_of(kAttributeOptions, [&](const char* name) { return command.count(name) > 0; });
+}
+
+bool check_named_bounds(const AttributeQuality& quality, const std::string& path, const Mesh& mesh,
+                        int& status, const std::string& kept_in) {
+  for (const NamedBound& bound : quality.named) {
+    const auto has_name = [&](const Attribute& attribute) { return attribute.name == bound.name; };
+    const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(), has_name);
+    if (found != mesh.attributes.end() && found->kind == AttributeKind::kGeneric) continue;
+    std::string wrong;
+    if (found != mesh.attributes.end()) {
+      wrong = bound.name + " is " + kind_text(found->kind) + ", for which there is an option of its own";
+    } else {
+      wrong = path + " has no attribute " + bound.name + "; it has";
+      for (const Attribute& attribute : mesh.attributes)
+        wrong += (&attribute == mesh.attributes.data() ? ": " : " ") + attribute.name;
+      if (mesh.attributes.empty()) wrong += " none";
+    }
+    if (kept_in.empty())
+      print_error(bound.is_mean ? "--attribute-rms" : "--attribute-error", wrong);
+    else
+      print_error(kept_in, wrong + "; other bounds on attributes replace those kept");
+    status = kUsage;
+    return false;
+  }
+  return true;
 }
 
 void add_part_quality(CLI::App& command, PartQuality& quality) {

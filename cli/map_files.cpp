@@ -17,13 +17,29 @@ namespace deltamesh::cli {
 namespace {
 
 /// What writes parts again: maps of tiles are too large to be made at once.
-std::string mending(const std::string& folder, const MapManifest& manifest) {
+std::string mending_of(const std::string& folder, const MapManifest& manifest) {
   std::string wrong;
   if (const auto tiles = has_plan(folder) ? load_plan(folder, wrong) : std::nullopt)
     if (tiles->plan.revision == manifest.revision && tiles->plan.description == manifest.description)
       return "; `deltamesh tiles finish` tells which tile to encode again";
   return "; `deltamesh map split` of the same mesh writes it again";
 }
+
+/// The same, looked up at the first part that needs it, as plans are as large as their maps. What it is made
+/// of must outlive it.
+class Mending {
+ public:
+  Mending(const std::string& folder, const MapManifest& manifest) : folder_(folder), manifest_(manifest) {}
+  const std::string& text() {
+    if (!text_) text_ = mending_of(folder_, manifest_);
+    return *text_;
+  }
+
+ private:
+  const std::string& folder_;
+  const MapManifest& manifest_;
+  std::optional<std::string> text_;
+};
 
 /// A part that is missing or cannot be read is damage of its map, as one with other content is.
 ExitCode exit_code_of_part(const Error& error) {
@@ -52,12 +68,12 @@ bool refuse_map(const std::string& path, const char* instead) {
 
 int check_files(const std::string& folder, const MapManifest& manifest) {
   int status = kOk;
+  Mending mending(folder, manifest);
   for (const PartEntry& entry : manifest.entries) {
     const auto file = std::filesystem::path(folder) / part_file(entry.key, entry.revision, entry.hash);
     std::error_code failed;
     if (std::filesystem::file_size(file, failed) == entry.bytes && !failed) continue;
-    print_error(file.string(),
-                (failed ? "this part is missing" : "this part is damaged") + mending(folder, manifest));
+    print_error(file.string(), (failed ? "this part is missing" : "this part is damaged") + mending.text());
     status = kBadStream;
   }
   return status;
@@ -81,11 +97,11 @@ int verify_map(const std::string& folder) {
   if (!manifest) return status;
   const auto codec = MapCodec::open(manifest->description);
   if (!codec) return fail(folder, codec.error());
+  Mending mending(folder, *manifest);
   for (const PartEntry& entry : manifest->entries) {
     const auto octets = load_part(folder, entry);
     const auto part = octets ? codec->decode(entry.key, *octets) : Result<MapPart>(octets.error());
-    if (!part)
-      status = std::max<int>(status, fail_part(folder, entry, part.error(), mending(folder, *manifest)));
+    if (!part) status = std::max<int>(status, fail_part(folder, entry, part.error(), mending.text()));
   }
   if (status == kOk)
     std::cout << folder << ": ok, " << counted(manifest->entries.size(), "part", "parts") << '\n';
@@ -113,7 +129,7 @@ std::optional<MapState> load_state(const std::string& folder, int& status) {
   for (const PartEntry& entry : state.manifest.entries) {
     auto octets = load_part(folder, entry);
     if (!octets) {
-      status = fail_part(folder, entry, octets.error(), mending(folder, state.manifest));
+      status = fail_part(folder, entry, octets.error(), mending_of(folder, state.manifest));
       return std::nullopt;
     }
     state.octets.push_back(*std::move(octets));

@@ -3,7 +3,6 @@
 #include "deltamesh/encode.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -113,28 +112,6 @@ bool check_outputs(const EncodeArguments& arguments, int& status) {
   return false;
 }
 
-/// A bound for a name that the mesh does not have, or whose kind has an option of its own, is a slip.
-bool check_named_bounds(const EncodeArguments& arguments, const Mesh& mesh, int& status) {
-  for (const NamedBound& bound : arguments.options.attributes.named) {
-    const char* const option = bound.is_mean ? "--attribute-rms" : "--attribute-error";
-    const auto has_name = [&](const Attribute& attribute) { return attribute.name == bound.name; };
-    const auto found = std::find_if(mesh.attributes.begin(), mesh.attributes.end(), has_name);
-    if (found != mesh.attributes.end() && found->kind == AttributeKind::kGeneric) continue;
-    if (found != mesh.attributes.end()) {
-      print_error(option,
-                  bound.name + " is " + kind_text(found->kind) + ", for which there is an option of its own");
-    } else {
-      std::string names;
-      for (const Attribute& attribute : mesh.attributes) names += ' ' + attribute.name;
-      print_error(option, arguments.in + " has no attribute " + bound.name + "; it has" +
-                              (names.empty() ? " none" : ':' + names));
-    }
-    status = kUsage;
-    return false;
-  }
-  return true;
-}
-
 int run_encode(const EncodeArguments& arguments) {
   if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
   int status = kOk;
@@ -145,7 +122,7 @@ int run_encode(const EncodeArguments& arguments) {
   if (imported && arguments.options.keep_unreferenced)
     imported->report.position_error =
         std::max(imported->report.position_error, imported->report.unused_position_error);
-  if (!imported || !check_named_bounds(arguments, imported->mesh, status) ||
+  if (!imported || !check_named_bounds(arguments.options.attributes, arguments.in, imported->mesh, status) ||
       !check_keeps_files(arguments.in, imported->report, {arguments.out, arguments.order_out}, status))
     return status;
 

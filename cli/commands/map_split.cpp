@@ -66,6 +66,9 @@ int run_split(const Splitting& splitting) {
   if (splitting.asks_of_attributes) bounds.attributes = settings.quality.attributes;
   if (!splitting.asks_of_attributes) bounds.attributes = known->bounds.attributes;
   if (bounds.attributes) settings.quality.attributes = *bounds.attributes;
+  if (!check_named_bounds(settings.quality.attributes, splitting.in, imported->mesh, status,
+                          splitting.asks_of_attributes ? "" : splitting.folder + "/bounds.json"))
+    return status;
   settings.quality.attributes.uv_error /= imported->report.uv_scale;
   const auto encode = [&] {
     const Progress progress("encoding");

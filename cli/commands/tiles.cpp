@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -99,18 +100,27 @@ bool is_next(const std::string& folder, const TilePlan& plan, int& status) {
   return false;
 }
 
-/// Whether a tile's manifest is of the plan.
-bool is_planned(const TilePlan& plan, const Tile& tile, const MapManifest& manifest) {
-  std::vector<PartKey> planned;
+/// The parts of every tile, ascending. O(n log n).
+std::vector<std::vector<PartKey>> parts_of_tiles(const TilePlan& plan) {
+  std::map<PartKey, std::size_t> tiles;
+  for (std::size_t i = 0; i < plan.tiles.size(); ++i) tiles.emplace(plan.tiles[i].cell, i);
+  std::vector<std::vector<PartKey>> parts(plan.tiles.size());
   for (const PartKey& key : plan.parts)
-    if (overlap(key, tile.cell)) planned.push_back(key);
+    for (std::uint8_t level = key.level; level <= kMostPartLevel; ++level)
+      if (const auto tile = tiles.find(ancestor(key, level)); tile != tiles.end())
+        parts[tile->second].push_back(key);
+  return parts;
+}
+
+/// Whether a tile's manifest, with the parts that are planned for it, is of the plan.
+bool is_planned(const TilePlan& plan, const std::vector<PartKey>& planned, const MapManifest& manifest) {
   return manifest.description == plan.description && manifest.revision == plan.revision &&
          keys_of(manifest) == planned;
 }
 
-/// What a tile has encoded, with all parts whole; says what is wrong if not.
+/// What a tile has encoded, with all parts, those planned, whole; says what is wrong if not.
 std::optional<MapManifest> load_encoded(const std::string& folder, const TilePlan& plan, std::size_t number,
-                                        int& status) {
+                                        const std::vector<PartKey>& planned, int& status) {
   const std::string again = "`deltamesh tiles encode " + folder + ' ' + std::to_string(number) + '`';
   const std::string file = tile_file(folder, number);
   std::error_code ignored;
@@ -121,7 +131,7 @@ std::optional<MapManifest> load_encoded(const std::string& folder, const TilePla
   }
   const auto bytes = read_file(file);
   auto manifest = bytes ? read_manifest(*bytes) : Result<MapManifest>(bytes.error());
-  if (manifest && is_planned(plan, plan.tiles[number], *manifest))
+  if (manifest && is_planned(plan, planned, *manifest))
     return check_parts(folder, *manifest, "; " + again + " writes it again", status)
                ? std::optional(*std::move(manifest))
                : std::nullopt;
@@ -135,9 +145,11 @@ int run_finish(const std::string& folder) {
   int status = kOk;
   const auto plan = load_own_plan(folder, status);
   if (!plan || !is_next(folder, plan->plan, status)) return status;
+  const auto planned = parts_of_tiles(plan->plan);
   std::vector<MapManifest> tiles;
-  for (std::size_t i = 0; i < plan->plan.tiles.size(); ++i)
-    if (auto tile = load_encoded(folder, plan->plan, i, status)) tiles.push_back(*std::move(tile));
+  for (std::size_t i = 0; i < planned.size(); ++i)
+    if (auto tile = load_encoded(folder, plan->plan, i, planned[i], status))
+      tiles.push_back(*std::move(tile));
   if (status != kOk) return status;
   const auto manifest = merge_tiles(tiles);
   if (!manifest) return fail(folder, manifest.error());

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -18,6 +19,8 @@
 #include "report/console.h"
 #include "report/losses.h"
 #include "report/map.h"
+#include "stored/json_value.h"
+#include "stored/map_bounds.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -60,53 +63,92 @@ int continue_map(const std::string& folder, TilePlan& plan) {
   return status;
 }
 
-int run_plan(const Planning& planning) {
-  if (planning.tile_triangles < planning.settings.most_triangles) {
-    print_error("--tile-triangles", grouped(planning.tile_triangles) + " is less than --part-triangles, " +
-                                        grouped(planning.settings.most_triangles));
-    return kUsage;
+/// The paths by which tiles find the files, from any folder; says which of them a plan cannot hold.
+std::optional<std::vector<std::string>> absolute_paths(const std::vector<std::string>& files) {
+  std::vector<std::string> paths;
+  for (const std::string& file : files) {
+    std::error_code failed;
+    paths.push_back(fs::absolute(file, failed).string());
+    if (fits_json(paths.back())) continue;
+    print_error(paths.back(), "the path is not UTF-8, which plans are written in: rename it");
+    return std::nullopt;
   }
-  auto planner = TilePlanner::make(planning.settings, planning.tile_triangles);
-  if (!planner) return fail("tiles plan", planner.error());
-  FiledPlan plan;
+  return paths;
+}
+
+/// What reading the files did to them.
+struct Readings {
   LossReport losses;
   double rounding = 0;
   double uv_scale = 1;
+};
+
+/// Has all files looked at. `attributes`: bounds on those of the first, which all have. Returns the exit
+/// code.
+int add_files(const Planning& planning, const AttributeQuality& attributes, TilePlanner& planner,
+              Readings& readings) {
   for (const std::string& file : planning.files) {
     int status = kOk;
     if (!check_is_outside(planning.folder + "/tiles", file, status)) return status;
     const auto imported = load_mesh(file, status, planning.options);
     if (!imported || !check_are_outside(planning.folder + "/tiles", file, imported->report, status))
       return status;
+    if (file == planning.files.front() &&
+        !check_named_bounds(attributes, file, imported->mesh, status,
+                            planning.asks_of_attributes ? "" : planning.folder + "/bounds.json"))
+      return status;
     for (const LeftOut& entry : imported->report.left_out)
-      losses.leave_out(entry.kind, entry.name, entry.count);
-    rounding = std::max(rounding, imported->report.position_error);
-    uv_scale = std::max(uv_scale, imported->report.uv_scale);
-    losses.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
-    if (const auto added = planner->add(imported->mesh); !added) return fail_coding(file, added.error());
-    std::error_code failed;
-    plan.files.push_back(fs::absolute(file, failed).string());
+      readings.losses.leave_out(entry.kind, entry.name, entry.count);
+    readings.rounding = std::max(readings.rounding, imported->report.position_error);
+    readings.uv_scale = std::max(readings.uv_scale, imported->report.uv_scale);
+    readings.losses.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
+    if (const auto added = planner.add(imported->mesh); !added) return fail_coding(file, added.error());
   }
+  return kOk;
+}
+
+int run_plan(const Planning& planning) {
+  if (planning.tile_triangles < planning.settings.most_triangles) {
+    print_error("--tile-triangles", grouped(planning.tile_triangles) + " is less than --part-triangles, " +
+                                        grouped(planning.settings.most_triangles));
+    return kUsage;
+  }
+  auto paths = absolute_paths(planning.files);
+  if (!paths) return kUsage;
+  int status = kOk;
+  MapBounds before;
+  if (is_map(planning.folder) && !load_bounds(planning.folder, before, status)) return status;
+  MapSettings settings = planning.settings;
+  if (planning.asks_of_attributes) before.attributes = settings.quality.attributes;
+  if (before.attributes) settings.quality.attributes = *before.attributes;
+  auto planner = TilePlanner::make(settings, planning.tile_triangles);
+  if (!planner) return fail("tiles plan", planner.error());
+  Readings readings;
+  status = add_files(planning, settings.quality.attributes, *planner, readings);
+  if (status != kOk) return status;
   auto planned = planner->plan();
   if (!planned) return fail("tiles plan", planned.error());
-  plan.plan = *std::move(planned);
-  plan.plan.quality.attributes.uv_error /= uv_scale;
+  FiledPlan plan{.plan = *std::move(planned),
+                 .files = *std::move(paths),
+                 .drop_invalid = planning.options.drop_invalid,
+                 .asked = before.attributes};
+  plan.plan.quality.attributes.uv_error /= readings.uv_scale;
   if (plan.plan.tiles.empty()) {
     print_error("tiles plan", "the files have no faces");
     return kBadInput;
   }
-  plan.drop_invalid = planning.options.drop_invalid;
-  if (planning.asks_of_attributes) plan.asked = planning.settings.quality.attributes;
-  if (const int status = continue_map(planning.folder, plan.plan); status != kOk) return status;
-  if (const int status = add_primers(plan); status != kOk) return status;
+  if (status = continue_map(planning.folder, plan.plan); status != kOk) return status;
+  if (status = add_primers(plan); status != kOk) return status;
   if (const auto saved = save_plan(planning.folder, plan); !saved)
     return fail(planning.folder, saved.error());
   std::cout << planning.folder << ": " << counted(plan.plan.tiles.size(), "tile", "tiles")
             << ", numbered 0 to " << plan.plan.tiles.size() - 1 << ", "
             << counted(plan.plan.parts.size(), "part", "parts") << '\n';
-  print_rounding(rounding, std::cout);
-  print_stretch(uv_scale, std::cout);
-  print_left_out(losses, std::cout);
+  if (plan.asked && !planning.asks_of_attributes)
+    std::cout << "attribute bounds kept: " << attribute_bounds_text(*plan.asked) << '\n';
+  print_rounding(readings.rounding, std::cout);
+  print_stretch(readings.uv_scale, std::cout);
+  print_left_out(readings.losses, std::cout);
   return kOk;
 }
 
@@ -148,7 +190,8 @@ void add_tiles_plan(CLI::App& tiles, int& status) {
       "Reads every file once, and those of the largest tile again. Files fit together where they have the "
       "same positions; the first says which attributes all have. At least one of --max-error, --vde and "
       "--lfe "
-      "is needed, in model units. Where DIR holds a map the tiles replace it, in a new epoch.\n\n"
+      "is needed, in model units. Where DIR holds a map the tiles replace it, in a new epoch, "
+      "with its bounds on attributes where there are no others.\n\n"
       "Example, for 100 tiles:\n"
       "  deltamesh tiles plan city.map blocks/*.ply --part-edge 20 --max-error 0.01\n"
       "  parallel --joblog jobs.log --resume deltamesh tiles encode city.map ::: $(seq 0 99)\n"

@@ -8,6 +8,18 @@
 #include "report/console.h"
 
 namespace deltamesh::cli {
+namespace {
+
+/// The start of a scalar; of arrays and objects, which may be nested to any depth, what they are.
+std::string shown(const nlohmann::json& json) {
+  if (json.is_array()) return "an array of " + std::to_string(json.size());
+  if (json.is_object()) return "an object";
+  constexpr std::size_t kMostShown = 40;
+  const std::string text = json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return text.size() > kMostShown ? text.substr(0, kMostShown) + "..." : text;
+}
+
+}  // namespace
 
 JsonValue JsonValue::member(const char* key) const {
   if (auto found = optional_member(key)) return *std::move(found);
@@ -51,10 +63,14 @@ bool JsonValue::flag() const {
 }
 
 void JsonValue::refuse(const std::string& allowed) const {
-  constexpr std::size_t kMostShown = 40;
-  std::string value = json_->dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  if (value.size() > kMostShown) value = value.substr(0, kMostShown) + "...";
-  throw WrongJson((name_.empty() ? "the file" : name_) + " is " + value + "; allowed is " + allowed);
+  throw WrongJson((name_.empty() ? "the file" : name_) + " is " + shown(*json_) + "; allowed is " + allowed);
+}
+
+bool fits_json(const std::string& text) try {
+  static_cast<void>(nlohmann::json(text).dump());
+  return true;
+} catch (const nlohmann::json::type_error&) {
+  return false;
 }
 
 std::string read_json(const std::string& path, const std::function<void(const JsonValue&)>& read) try {

@@ -64,6 +64,9 @@ Number JsonValue::whole(Number least, Number most) const {
   refuse("a whole number from " + std::to_string(least) + " to " + std::to_string(most));
 }
 
+/// Whether JSON can hold the text: it is UTF-8.
+bool fits_json(const std::string& text);
+
 /// Reads the file at `path` and calls `read` with what it holds. Returns what is wrong, of the file or of
 /// what `read` found; empty where nothing is.
 std::string read_json(const std::string& path, const std::function<void(const JsonValue&)>& read);

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "stored/quality.h"
 
+#include <algorithm>
 #include <array>
 
 #include "option_numbers.h"
@@ -32,6 +33,7 @@ NamedBound named_bound_of(const JsonValue& json) {
   const auto items = json.items(3);
   const bool is_mean = items[2].flag();
   constexpr double kAny = std::numeric_limits<double>::max();
+  if (items[0].text().empty()) items[0].refuse("a name");
   return {.name = items[0].text(),
           .error = is_mean ? above_zero(items[1], kAny) : items[1].number(),
           .is_mean = is_mean};
@@ -90,7 +92,13 @@ AttributeQuality attributes_of(const JsonValue& json) {
     quality.color_rms = above_zero(*value, kMostColor);
   }
   quality.weight_error = json.member("weight_error").number();
-  for (const JsonValue& bound : json.member("named").items()) quality.named.push_back(named_bound_of(bound));
+  for (const JsonValue& json_bound : json.member("named").items()) {
+    const NamedBound bound = named_bound_of(json_bound);
+    const auto same_name = [&](const NamedBound& other) { return other.name == bound.name; };
+    if (std::ranges::any_of(quality.named, same_name))
+      json_bound.items().front().refuse("a name that no other bound has");
+    quality.named.push_back(bound);
+  }
   return quality;
 }
 
