@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "stored/map_bounds.h"
 
-#include <array>
 #include <filesystem>
 #include <span>
 #include <system_error>
@@ -50,16 +49,9 @@ Result<void> save_bounds(const std::string& folder, const MapBounds& bounds) {
 }
 
 std::string bounds_text(const MapBounds& map) {
-  struct Member {
-    const char* name;
-    std::optional<QualityBound> QualityRequest::*bound;
-  };
-  constexpr std::array<Member, 3> kMembers{{{"max error", &QualityRequest::max_error},
-                                            {"vde", &QualityRequest::vde},
-                                            {"lfe", &QualityRequest::lfe}}};
   const bool is_default = map.asked.empty();
   std::string text;
-  for (const Member& member : kMembers) {
+  for (const PositionBound& member : kPositionBounds) {
     const auto& asked = (is_default ? map.bounds : map.asked).*member.bound;
     if (!asked) continue;
     text += (text.empty() ? "" : ", ") + std::string(member.name) + ' ';

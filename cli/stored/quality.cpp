@@ -3,7 +3,6 @@
 #include "stored/quality.h"
 
 #include <algorithm>
-#include <array>
 
 #include "option_numbers.h"
 
@@ -14,14 +13,6 @@ using Json = nlohmann::json;
 
 constexpr double kMostAngle = 180;  // degrees
 constexpr double kMostColor = 255;
-
-struct Member {
-  const char* key;
-  std::optional<QualityBound> QualityRequest::*bound;
-};
-constexpr std::array<Member, 3> kBounds{{{"max_error", &QualityRequest::max_error},
-                                         {"vde", &QualityRequest::vde},
-                                         {"lfe", &QualityRequest::lfe}}};
 
 double above_zero(const JsonValue& json, double most) {
   const double number = json.number(most);
@@ -43,14 +34,14 @@ NamedBound named_bound_of(const JsonValue& json) {
 
 Json json_of(const QualityRequest& request) {
   Json json = Json::object();
-  for (const Member& member : kBounds)
+  for (const PositionBound& member : kPositionBounds)
     if (const auto& bound = request.*member.bound) json[member.key] = text_of(*bound);
   return json;
 }
 
 QualityRequest bounds_of(const JsonValue& json, bool percent) {
   QualityRequest request;
-  for (const Member& member : kBounds) {
+  for (const PositionBound& member : kPositionBounds) {
     const auto value = json.optional_member(member.key);
     if (!value) continue;
     const auto bound = parse_bound(value->text());
@@ -59,7 +50,7 @@ QualityRequest bounds_of(const JsonValue& json, bool percent) {
     request.*member.bound = bound;
   }
   const auto is_none = [](const auto& bound) { return bound && bound->value == kNoBound.value; };
-  for (const Member& member : kBounds)
+  for (const PositionBound& member : kPositionBounds)
     if (is_none(request.*member.bound) &&
         (member.bound != &QualityRequest::max_error || !(request.vde || request.lfe)))
       json.member(member.key).refuse("a number above 0; \"none\" is for max_error beside vde or lfe");

@@ -205,8 +205,8 @@ class SharedBudget {
   double unit_;       ///< the largest error at a scale of 1
   double scale_ = 1;  ///< of the errors of places
   double scale_of_attributes_ = 1;
-  std::optional<PositionForm>
-      form_;  ///< of the first lattice: the smallest at one scale is so, or nearly, at all
+  /// Of the last lattice. What is smallest at one scale is so, or nearly, at all.
+  std::optional<PositionForm> form_;
   std::optional<Parts> best_;
   bool is_exact_ = false;  ///< best_
   std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();

@@ -20,7 +20,7 @@ namespace deltamesh {
 Mesh place_origin(std::span<const double> coordinates, std::span<const std::uint32_t> corners = {});
 
 /// The same for the origin and the positions of imported.mesh, with what the rounding to float32 took away:
-/// Imported::roundings, ReadReport::position_error.
+/// Imported::roundings, ReadReport::position_error, ReadReport::unused_position_error.
 void place_origin(std::span<const double> coordinates, std::span<const std::uint32_t> corners,
                   Imported& imported);
 

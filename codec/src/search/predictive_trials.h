@@ -38,8 +38,8 @@ class PredictiveTrials {
   std::optional<LatticeTrial> try_levels(const VoxelFit& fit, std::uint32_t levels,
                                          const Bounds& bounds = {}) const;
 
-  /// In a given form; without one, in the smallest of those that the effort allows. The plain form is but
-  /// one.
+  /// In a given form; without one, in the smallest of those that the effort allows. There is
+  /// one plain form only.
   Candidate code(const LatticeTrial& trial, const std::optional<PositionForm>& form = std::nullopt) const;
   /// Of try_levels(): faces and positions at once; empty where the grid coder is no use (write_grid()).
   std::optional<Candidate> code_in_cubes(const LatticeTrial& trial) const;

@@ -107,7 +107,7 @@ class ObjReader {
     return {};
   }
 
-  /// A name may have spaces, and there may be several names.
+  /// The rest of the line is one name with spaces, or several names: all of these are noted.
   Result<void> name_library() {
     std::string names = rest_as_name();
     std::ranges::replace(names, '\\', '/');
