@@ -104,7 +104,7 @@ Result<std::uint64_t> MeshHighpassTrials::bytes(const HighpassSettings& settings
 
 std::vector<std::uint32_t> MeshHighpassTrials::worst_vertices(const Candidate& candidate, double threshold,
                                                               std::size_t count) {
-  // A further anchor changes what the cycles leave out around it, and the deltas no longer match that.
+  // Around a further anchor the deltas no longer make up for what the cycles leave out.
   const auto left_out = coder_.left_out_by(candidate.settings, candidate.highpass.cycles);
   if (!left_out || *left_out > request_.bounds.max_error) return {};
   std::vector<double> errors(candidate.solution.size());
