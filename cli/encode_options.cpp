@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* kPositions = "Quality of positions";
 constexpr const char* kAttributes = "Quality of attributes (largest errors; 0 is exact)";
+/// All that bound attributes, which `--lossless` excludes.
 constexpr std::array kAttributeOptions{"--normal-error", "--tangent-error",   "--uv-error",
                                        "--color-error",  "--color-rms",       "--color-psnr",
                                        "--weight-error", "--attribute-error", "--attribute-rms"};
@@ -122,8 +123,8 @@ void add_settings(CLI::App& command, EncodeOptions& options) {
                                          "predictive: of the longest side, 1 to 28");
   CLI::Option* step =
       command.add_option("--step", options.step, "instead: the quantisation step, model units");
-  CLI::Option* anchors =
-      command.add_option("--anchors", options.anchors, "number of anchors; default 0.5 % of the vertices");
+  CLI::Option* anchors = command.add_option(
+      "--anchors", options.anchors, "number of anchors; default 0.5 % of the vertices, less for a quality");
   CLI::Option* density =
       command.add_option("--anchor-density", options.anchor_density,
                          "instead: most edges from a vertex to its nearest anchor, 1 to 65535");
@@ -147,7 +148,7 @@ void add_search(CLI::App& command, GeometryCoder& coder, int& effort) {
       ->default_str("auto");
   command
       .add_option("--effort", effort,
-                  "how hard to look for a smaller stream: 0 (one pass, for a robot's computer), 1, or 2")
+                  "how hard to look for a smaller stream: 0 (few passes, for a robot's computer), 1, or 2")
       ->capture_default_str();
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kMostAngle = 180;  // degrees
+constexpr double kHalfTurn = 180;  // degrees
 constexpr double kMostColor = 255;
 
 double above_zero(const JsonValue& json, double most) {
@@ -73,9 +73,9 @@ Json json_of(const AttributeQuality& quality) {
 
 AttributeQuality attributes_of(const JsonValue& json) {
   AttributeQuality quality;
-  quality.normal_error = json.member("normal_error").number(kMostAngle);
+  quality.normal_error = json.member("normal_error").number(kHalfTurn);
   if (const auto value = json.optional_member("tangent_error"))
-    quality.tangent_error = value->number(kMostAngle);
+    quality.tangent_error = value->number(kHalfTurn);
   quality.uv_error = json.member("uv_error").number();
   if (const auto value = json.optional_member("color_error")) quality.color_error = value->number(kMostColor);
   if (const auto value = json.optional_member("color_rms")) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a call hands to JavaScript, which reads the same layout (packages/decoder/decoder.js). Pointers have
+// What a call hands to JavaScript, which reads the same layout (packages/decoder/outcome.js). Pointers have
 // 32 bits; strings end with a zero where no length stands beside them.
 #pragma once
 

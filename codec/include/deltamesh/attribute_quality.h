@@ -35,9 +35,9 @@ struct AttributeQuality {
   /// for labels, and `color_rms` is kPhotographicRms for photographs (ColorContent tells them apart).
   std::optional<double> color_error = std::nullopt;
   /// In place of `color_error`, above 0: the largest root mean square of the errors of all values of red,
-  /// green and blue, 255ths of their range, and of those of alpha. Met within 1 % from below, or better where
-  /// that takes fewer bytes. Of 3 or 4 components of u8, u16 or f32 in the compact form; other colours keep
-  /// it as a largest error.
+  /// green and blue, 255ths of their range, and of those of alpha. Met within 1 % from below (1.5 % beyond 48
+  /// dB), or better where that takes fewer bytes. Of 3 or 4 components of u8, u16 or f32 in the compact form;
+  /// other colours keep it as a largest error.
   std::optional<double> color_rms = std::nullopt;
   double weight_error = 1.0 / 1024;    ///< largest difference of a skinning weight; sums of 1 stay 1
   std::vector<NamedBound> named = {};  ///< of generic attributes; the first that fits holds

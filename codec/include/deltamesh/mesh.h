@@ -59,15 +59,17 @@ struct GroupName {
   }
 };
 
+inline constexpr std::uint32_t kMostGroups = 1U << 16;  ///< of a mesh's faces
+
 /// An owned triangle mesh. World position of vertex i = origin + positions[3i .. 3i+2].
 struct Mesh {
   std::array<double, 3> origin{};        ///< model units; keeps georeferenced maps precise
   std::vector<float> positions;          ///< n x 3, model units, relative to `origin`
   std::vector<std::uint32_t> triangles;  ///< m x 3 vertex indices, each below n
   std::vector<Attribute> attributes;
-  /// m: number of the group (material, primitive) of every triangle, below 2^16; or empty: one group.
+  /// m: number of the group (material, primitive) of every triangle, below kMostGroups; or empty: one group.
   std::vector<std::uint32_t> face_groups;
-  /// By the group's number; or fewer, or none. At most 2^16.
+  /// By the group's number; or fewer, or none. At most kMostGroups.
   std::vector<GroupName> group_names{};
 
   std::size_t vertex_count() const noexcept { return positions.size() / 3; }

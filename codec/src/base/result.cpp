@@ -24,8 +24,11 @@ std::size_t shown_size(std::string_view bytes) noexcept {
   if (first < 0xc2 || first > 0xf4 || bytes.size() < size) return 0;
   for (std::size_t i = 1; i < size; ++i)
     if (!is_continuation(bytes[i])) return 0;
-  const bool is_control = first == 0xc2 && static_cast<unsigned char>(bytes[1]) < 0xa0;
-  return is_control ? 0 : size;
+  const auto second = static_cast<unsigned char>(bytes[1]);
+  const bool is_control = first == 0xc2 && second < 0xa0;
+  const bool is_longer_than_needed = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool is_no_character = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
+  return is_control || is_longer_than_needed || is_no_character ? 0 : size;
 }
 
 /// In quotes; bytes that a terminal may not show as they are become '?'.

@@ -50,11 +50,11 @@ bool is_bound(double value, double most = std::numeric_limits<double>::max()) no
 }
 
 Result<void> check_attributes(const AttributeQuality& q) noexcept {
-  constexpr double kMostAngle = 180;
+  constexpr double kHalfTurn = 180;  // degrees
   constexpr double kMostColor = 255;
-  if (!is_bound(q.normal_error, kMostAngle))
+  if (!is_bound(q.normal_error, kHalfTurn))
     return invalid_option("the error of normals must be 0 to 180 degrees");
-  if (q.tangent_error && !is_bound(*q.tangent_error, kMostAngle))
+  if (q.tangent_error && !is_bound(*q.tangent_error, kHalfTurn))
     return invalid_option("the error of tangents must be 0 to 180 degrees");
   if (!is_bound(q.uv_error))
     return invalid_option("the error of texture coordinates must be a finite number of at least 0");
@@ -86,7 +86,8 @@ Result<void> validate(const EncodeOptions& o) noexcept {
   if (o.anchors && *o.anchors == 0) return invalid_option("at least one anchor is needed");
   if (o.anchor_density && (*o.anchor_density < 1 || *o.anchor_density > 65535))
     return invalid_option("anchor density must be 1 to 65535 hops");
-  if (!within(o.anchor_bits, 4, 24)) return invalid_option("anchor bits must be 4 to 24");
+  if (!within(o.anchor_bits, kLeastAnchorBits, kMostAnchorBits))
+    return invalid_option("anchor bits must be 4 to 24");
   return check_attributes(o.attributes);
 }
 

@@ -43,8 +43,9 @@ bool is_step(double step) noexcept { return std::isfinite(step) && step > 0; }
 Result<void> check_highpass(const FileHeader& h, const ByteReader& in) {
   const HighpassParameters& p = h.highpass;
   const bool in_range = (p.bits == 0 || (p.bits >= 3 && p.bits <= 16)) && is_step(p.step) &&
-                        p.anchor_bits >= 4 && p.anchor_bits <= 24 && p.anchors <= h.geometric_vertices &&
-                        p.anchors >= h.components && p.cycles >= 1 && p.cycles <= kMostCycles;
+                        p.anchor_bits >= kLeastAnchorBits && p.anchor_bits <= kMostAnchorBits &&
+                        p.anchors <= h.geometric_vertices && p.anchors >= h.components && p.cycles >= 1 &&
+                        p.cycles <= kMostCycles;
   if (!in_range) return in.invalid("a parameter of the highpass coder is out of range", "HDR-11");
   return {};
 }

@@ -22,7 +22,7 @@ namespace {
 Result<void> check_parameters(const HighpassParameters& parameters, std::size_t vertex_count) {
   if (!(parameters.step > 0 && std::isfinite(parameters.step)))
     return broken_rule("the step is not a finite number above 0", "DELT-1", kTagDeltas);
-  if (parameters.anchor_bits < 4 || parameters.anchor_bits > 24)
+  if (parameters.anchor_bits < kLeastAnchorBits || parameters.anchor_bits > kMostAnchorBits)
     return broken_rule("anchor bits outside 4 to 24", "ANCH-1", kTagAnchors);
   if (parameters.cycles < 1 || parameters.cycles > kMostCycles)
     return broken_rule("no cycles, or too many", "DELT-7", kTagDeltas);

@@ -15,7 +15,7 @@
 namespace deltamesh {
 
 /// Errors of all readers: kInvalidFile with line or byte. Bytes are not trusted: memory stays within a
-/// constant times their number (glTF: see gltf_read.cpp).
+/// constant times their number (glTF: see gltf/read.cpp).
 Result<Imported> read_ply(std::span<const std::byte> bytes);
 Result<Imported> read_obj(std::span<const std::byte> bytes);
 Result<Imported> read_stl(std::span<const std::byte> bytes);

@@ -67,7 +67,8 @@ Result<Candidate> code_smaller(const Request& request, const SourceGeometry& sou
     if (highpass) return highpass;
   }
   auto predictive = search_predictive(trials);
-  if (predictive && (suits || is_quick)) return predictive;
+  const bool is_grid = predictive && predictive->grid && !request.has_bounds();
+  if (predictive && (suits || is_quick || is_grid)) return predictive;
   MeshHighpassTrials highpass_trials(request, source, rest);
   if (predictive) {
     const double vde = request.bounds.vde.value_or(predictive->quality.vde_rms);

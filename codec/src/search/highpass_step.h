@@ -8,8 +8,6 @@
 
 namespace deltamesh {
 
-inline constexpr int kMostAnchorBits = 24;  ///< per axis
-
 /// One anchor for so many vertices: with fewer, what is saved is under 0.1 bits per vertex of a VDE; near
 /// what is best on open maps of an LFE and a largest error.
 inline constexpr std::uint32_t kForVde = 500;

@@ -26,8 +26,10 @@ constexpr std::size_t kOneInNoCube = 100;
 /// Loads of 0.9995 and 0.997.
 constexpr double kLatticeAim = -0.0007;
 constexpr double kLatticeTight = -0.0043;
-/// Bits per coordinate that a budget may leave.
-constexpr double kTightBits = -0.003;
+/// Of a budget, that may be left: 1 %.
+constexpr std::uint64_t kOneLeft = 100;
+/// Coordinates that a cubic lattice of so many bits tells apart are nearly as large as floats.
+constexpr int kBitsOfFloats = 17;
 
 /// Whether an axis has a grid, and grid_lattice() at `step` or a little above would take it.
 bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
@@ -36,6 +38,11 @@ bool has_grid(const std::array<AxisGrid, 3>& axes, double step) noexcept {
 
 double largest_side(const VoxelFit& fit) noexcept {
   return *std::max_element(fit.voxel.begin(), fit.voxel.end());
+}
+
+bool are_most_in_cubes(const VoxelFit& fit) noexcept {
+  constexpr double kMost = 0.5;  // of the vertices on edges, of the faces in cubes
+  return std::min(fit.share, fit.in_cubes) > kMost;
 }
 
 /// Heights over a grid have a lattice of their own. But a part of a map on a given grid may be a floor.
@@ -136,35 +143,43 @@ class BudgetSearch {
   explicit BudgetSearch(const PredictiveTrials& trials) : trials_(trials) {}
 
   Result<Candidate> run() {
-    if (trials_.voxels()) fit_levels(*trials_.voxels());
-    if (!fits_exactly()) fit_lattice();
+    const auto& voxels = trials_.voxels();
+    if (voxels) fit_levels(*voxels);
+    if (!best_ || !are_most_in_cubes(*voxels)) fit_lattice();
+    if (!best_ || may_fit_exactly()) consider(trials_.code_exactly(form_));
     if (!best_) return too_few_bytes(fewest_);
     return *std::move(best_);
   }
 
  private:
   /// What `trial` takes over the budget, in bits per coordinate. The first one says in which form all are.
-  double excess(const LatticeTrial& trial) {
+  double try_lattice(const LatticeTrial& trial) {
     Candidate candidate = trials_.code(trial, form_);
     form_ = candidate.form;
     return consider(std::move(candidate));
   }
 
+  std::uint64_t budget() const noexcept { return *trials_.request().target_bytes; }
+  double excess(std::uint64_t bytes) const noexcept {
+    return excess_of_bytes(bytes, budget(), trials_.source().positions.size());
+  }
+  double tolerance() const noexcept { return excess(budget() - budget() / kOneLeft); }
+
   double consider(Candidate candidate) {
     const std::uint64_t bytes = candidate.bytes;
-    const std::uint64_t budget = *trials_.request().target_bytes;
     fewest_ = std::min(fewest_, bytes);
-    if (bytes <= budget && (!best_ || candidate.quality.vde_rms < best_->quality.vde_rms))
+    if (bytes <= budget() && (!best_ || candidate.quality.vde_rms < best_->quality.vde_rms))
       best_ = std::move(candidate);
-    return excess_of_bytes(bytes, budget, trials_.source().positions.size());
+    return excess(bytes);
   }
 
-  /// With every bit, which no lattice can better. The smallest form saves a tenth of one at most.
-  bool fits_exactly() {
-    constexpr PositionForm kOne{.fit = BlendFit::kSample, .guesses = Guessing::kPrediction};
-    const std::uint64_t in_one_form = trials_.code_exactly(kOne).bytes;
-    fewest_ = std::min(fewest_, in_one_form);
-    return in_one_form / 10 * 9 <= *trials_.request().target_bytes && consider(trials_.code_exactly()) <= 0;
+  /// Every bit may take no more than what fits: the source's own lattice is hardly finer, or floats are not.
+  bool may_fit_exactly() const {
+    const auto own = trials_.exact_lattice();
+    const double finest =
+        own ? *std::max_element(own->step.begin(), own->step.end()) : trials_.step_for_bits(kBitsOfFloats);
+    const auto& steps = best_->predictive.lattice.step;
+    return *std::max_element(steps.begin(), steps.end()) < 2 * finest;
   }
 
   void fit_lattice() {
@@ -173,11 +188,12 @@ class BudgetSearch {
                      .least = std::max(finest_step(box), 1e-30),
                      .most = 2 * std::max(box.longest_side(), 1e-30),  // all coordinates are 0
                      .slope = -1,
-                     .aim = kTightBits / 2,
-                     .tolerance = kTightBits,
+                     .aim = tolerance() / 2,
+                     .tolerance = tolerance(),
                      .trials = kMostTrials});
     while (!bracket.is_done())
-      bracket.tell(excess(trials_.try_lattice(cubic_lattice(box, short_float_below(bracket.setting())))));
+      bracket.tell(
+          try_lattice(trials_.try_lattice(cubic_lattice(box, short_float_below(bracket.setting())))));
   }
 
   void fit_levels(const VoxelFit& fit) {
@@ -186,7 +202,7 @@ class BudgetSearch {
                      .most = kMostLevels,
                      .whole = true,
                      .slope = 1.0 / 3,  // one coordinate costs a bit more where the levels double
-                     .tolerance = kTightBits,
+                     .tolerance = tolerance(),
                      .trials = kMostTrials});
     while (!bracket.is_done()) {
       const auto trial = trials_.try_levels(fit, static_cast<std::uint32_t>(bracket.setting()));
@@ -214,10 +230,9 @@ double lattice_step_for(const Bounds& bounds, const Box& box) noexcept {
 }
 
 bool are_voxels_enough(const PredictiveTrials& trials) {
-  constexpr double kMostly = 0.5;      // of the vertices on edges, of the faces in cubes
   constexpr double kMuchFiner = 0.25;  // than the lattice: then a plane of voxels means nothing
   const auto& voxels = trials.voxels();
-  return voxels && !may_be_heights(*voxels) && std::min(voxels->share, voxels->in_cubes) > kMostly &&
+  return voxels && !may_be_heights(*voxels) && are_most_in_cubes(*voxels) &&
          largest_side(*voxels) > kMuchFiner * lattice_step_for(trials.request().bounds, trials.source().box);
 }
 

@@ -196,10 +196,13 @@ Candidate PredictiveTrials::code_floats(const std::optional<PositionForm>& form)
   return form ? in_form(*form, std::move(candidate), write) : in_smallest_form(std::move(candidate), write);
 }
 
+std::optional<PositionLattice> PredictiveTrials::exact_lattice() const {
+  return is_plain() ? std::nullopt : find_exact_lattice(source_.positions, source_.box);
+}
+
 Candidate PredictiveTrials::code_exactly(const std::optional<PositionForm>& form) const {
   Candidate floats = code_floats(form);
-  if (is_plain()) return floats;
-  const auto lattice = find_exact_lattice(source_.positions, source_.box);
+  const auto lattice = exact_lattice();
   if (!lattice) return floats;
   LatticeTrial trial{.parameters = {.lattice = *lattice}, .cells = to_cells(source_.positions, *lattice)};
   trial.replacements = find_replacements(source_.positions, to_positions(trial.cells, *lattice));

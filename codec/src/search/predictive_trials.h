@@ -49,6 +49,10 @@ class PredictiveTrials {
   /// Every position to the last bit; in a given form, or the smallest.
   Candidate code_exactly(const std::optional<PositionForm>& form = std::nullopt) const;
 
+  /// Whose points, as floats, are the source's positions, but for few; empty where there is
+  /// none, and in the plain form.
+  std::optional<PositionLattice> exact_lattice() const;
+
   /// The step of 2^bits points along the longest side.
   double step_for_bits(int bits) const noexcept;
   /// The axes whose coordinates all are on a grid, of steps of at least `finest`.

@@ -17,7 +17,6 @@ namespace deltamesh::gltf {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kMostGroups = 1U << 16;
 
 /// What makes the vertices of two primitives the same: accessors with equal content in equal roles.
 using VertexKey = std::pair<std::size_t, std::vector<std::pair<Semantic, std::size_t>>>;

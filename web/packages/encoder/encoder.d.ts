@@ -45,7 +45,7 @@ export interface EncodeOptions {
   targetBytes?: number;
   geometry?: 'auto' | 'highpass' | 'predictive';
   lossless?: boolean;
-  /** 0 (one pass), 1 or 2; default 1. */
+  /** 0 (few passes), 1 or 2; default 1. */
   effort?: number;
   /** By hand, in place of a quality. */
   bits?: number;

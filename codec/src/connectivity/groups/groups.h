@@ -9,11 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
-
-inline constexpr std::uint32_t kMostGroups = 1U << 16;  ///< every group's number is below [FGRP-1]
 
 /// `groups`: m numbers below kMostGroups, one for each coded face, or empty; `triangles`: m x 3 vertices of
 /// the decoded mesh, below `vertex_count`. O(n + m).

@@ -35,7 +35,6 @@ class ObjGroups {
   /// Groups and their names; no numbers where all faces have the same group, or where there are more groups
   /// than a mesh can have.
   void move_into(PolygonMesh& mesh, ReadReport& report) {
-    constexpr std::size_t kMostGroups = 1 << 16;
     if (groups_.size() > kMostGroups)
       return report.leave_out(LeftOutKind::kFaceValues, "groups, more than 65,536", of_faces_.size());
     const bool has_names =

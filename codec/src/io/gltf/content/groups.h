@@ -42,7 +42,6 @@ class PrimitiveGroups {
 
   /// As ObjGroups does.
   void move_into(Imported& imported) {
-    constexpr std::size_t kMostGroups = 1 << 16;
     if (groups_.size() > kMostGroups)
       return imported.report.leave_out(LeftOutKind::kFaceValues, "groups, more than 65,536",
                                        of_faces_.size());

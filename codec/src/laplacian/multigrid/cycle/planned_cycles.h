@@ -28,7 +28,7 @@ struct PlannedSolution {
 
 /// The coupled problem with s = P s_c interpolated from the second level: away from the anchors s is
 /// harmonic, hence smooth. Few cycles leave much of the exact solution's low frequencies out; an encoder
-/// makes up for it by the deltas and anchors that it codes (geometry/cycle_plan.h). x is kept in whole
+/// makes up for it by the deltas and anchors that it codes (highpass/cycle_plan.h). x is kept in whole
 /// numbers; corrections are floats, in steps of the deltas.
 class PlannedCycles {
  public:
