@@ -423,14 +423,24 @@ TEST(Predictive, AStepTooFineForTheLatticeIsRefused) {
 }
 
 TEST(Predictive, BytesToSpareBuyEveryBit) {
-  const Mesh mesh = *generate_scene(Scene::kRooms, 3000, 3);
-  const auto exact = encode(mesh, {.geometry = GeometryCoder::kPredictive, .lossless = true});
-  ASSERT_TRUE(exact);
-  EncodeOptions options{.geometry = GeometryCoder::kPredictive};
-  options.quality.target_bytes = exact->bytes.size() + 100;
-  const auto fitted = encode(mesh, options);
-  ASSERT_TRUE(fitted) << describe(fitted.error());
-  EXPECT_EQ(fitted->report.stream.quality.max_error, 0);
+  const Mesh rooms = *generate_scene(Scene::kRooms, 3000, 3);
+  const Mesh terrain = *generate_scene(Scene::kTerrain, 3000, 3);
+  Mesh of_few_decimals = terrain;
+  for (float& x : of_few_decimals.positions) x = std::round(x * 10) / 10;
+  for (const Mesh& mesh : {rooms, terrain, of_few_decimals}) {
+    const auto exact = encode(mesh, {.geometry = GeometryCoder::kPredictive, .lossless = true});
+    ASSERT_TRUE(exact);
+    EncodeOptions options{.geometry = GeometryCoder::kPredictive};
+    options.quality.target_bytes = exact->bytes.size() + 100;
+    const auto fitted = encode(mesh, options);
+    ASSERT_TRUE(fitted) << describe(fitted.error());
+    EXPECT_EQ(fitted->report.stream.quality.max_error, 0);
+    options.quality.target_bytes = exact->bytes.size() * 9 / 10;
+    const auto less = encode(mesh, options);
+    ASSERT_TRUE(less) << describe(less.error());
+    EXPECT_LE(less->bytes.size(), *options.quality.target_bytes);
+    EXPECT_GT(less->report.stream.quality.max_error, 0);
+  }
 }
 
 TEST(Predictive, EveryBudgetAboveTheLeastIsMet) {
