@@ -26,6 +26,11 @@ struct Splitting {
   std::string in;
   std::string folder;
   MapSettings settings;
+  /// Where nothing is said, as the map has it.
+  std::optional<std::uint64_t> id;
+  std::optional<std::string> frame;
+  std::optional<std::uint32_t> most_triangles;
+  std::optional<std::uint8_t> levels;
   FileOptions files;
   bool asks_of_attributes = false;
   bool json = false;
@@ -37,18 +42,43 @@ struct Before {
   MapBounds bounds;
 };
 
-std::optional<Before> load_before(const std::string& folder, int& status) {
+std::optional<Before> load_before(const Splitting& splitting, int& status) {
+  const std::string& folder = splitting.folder;
   Before before;
   if (!is_map(folder)) return before;
   auto manifest = load_manifest(folder, status);
   if (!manifest || !load_bounds(folder, before.bounds, status)) return std::nullopt;
+  const bool says_all = !splitting.settings.quality.bounds.empty() &&
+                        (splitting.asks_of_attributes || manifest->description.attributes.empty());
+  if (before.bounds.bounds.empty() && !manifest->entries.empty() && !says_all) {
+    print_error(
+        folder,
+        "the file bounds.json is missing, so nothing tells which bounds this map keeps; ask for those of "
+        "positions and of attributes");
+    status = kBadInput;
+    return std::nullopt;
+  }
   before.state.emplace(MapState{
       .manifest = *std::move(manifest), .asked = before.bounds.asked, .bounds = before.bounds.bounds});
   return before;
 }
 
+MapSettings settings_for(const Splitting& splitting, const Before& before) {
+  MapSettings settings = splitting.settings;
+  const MapParts parts = before.bounds.parts.value_or(MapParts{});
+  settings.most_triangles = splitting.most_triangles.value_or(parts.most_triangles);
+  settings.levels = splitting.levels.value_or(parts.levels);
+  if (before.state) {
+    settings.id = before.state->manifest.description.id;
+    settings.frame = before.state->manifest.description.frame;
+  }
+  if (splitting.id) settings.id = *splitting.id;
+  if (splitting.frame) settings.frame = *splitting.frame;
+  return settings;
+}
+
 int run_split(const Splitting& splitting) {
-  if (const Result<void> valid = validate(splitting.settings); !valid)
+  if (const Result<void> valid = validate(settings_for(splitting, {})); !valid)
     return fail("map split", valid.error());
   int status = kOk;
   if (!check_is_outside(splitting.folder + "/parts", splitting.in, status)) return status;
@@ -58,11 +88,11 @@ int run_split(const Splitting& splitting) {
                          {splitting.folder + "/map.dmm", splitting.folder + "/bounds.json"}, status))
     return status;
   imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
-  const auto known = load_before(splitting.folder, status);
+  const auto known = load_before(splitting, status);
   if (!known) return status;
   const std::optional<MapState>& before = known->state;
-  MapSettings settings = splitting.settings;
-  MapBounds bounds;
+  MapSettings settings = settings_for(splitting, *known);
+  MapBounds bounds{.parts = MapParts{settings.most_triangles, settings.levels}};
   if (splitting.asks_of_attributes) bounds.attributes = settings.quality.attributes;
   if (!splitting.asks_of_attributes) bounds.attributes = known->bounds.attributes;
   if (bounds.attributes) settings.quality.attributes = *bounds.attributes;
@@ -132,21 +162,21 @@ void add_map_split(CLI::App& map, int& status) {
   command->add_option("--part-edge", splitting->settings.part_edge, "edge of the largest parts, model units")
       ->required();
   command
-      ->add_option("--part-triangles", splitting->settings.most_triangles,
+      ->add_option("--part-triangles", splitting->most_triangles,
                    "parts with more are divided, down to an eighth of the edge")
-      ->capture_default_str();
+      ->default_str(std::to_string(splitting->settings.most_triangles));
   command
       ->add_option(
-          "--levels", splitting->settings.levels,
+          "--levels", splitting->levels,
           "coarser levels above the largest parts, each of cells of twice the edge; with any there are "
           "coarser copies of smaller parts, too")
       ->check(CLI::Range(0, 21))
       ->default_str("0");
-  command->add_option("--map-id", splitting->settings.id, "which map")
+  command->add_option("--map-id", splitting->id, "which map")
       ->check(refuse_negative)
-      ->capture_default_str();
-  command->add_option("--frame", splitting->settings.frame, "name of the coordinate frame")
-      ->capture_default_str();
+      ->default_str(std::to_string(splitting->settings.id));
+  command->add_option("--frame", splitting->frame, "name of the coordinate frame")
+      ->default_str(splitting->settings.frame);
   add_file_options(*command, splitting->files, true);
   add_part_quality(*command, splitting->settings.quality);
   command->add_flag("--json", splitting->json, "print one JSON object to standard output");
@@ -154,7 +184,9 @@ void add_map_split(CLI::App& map, int& status) {
       "Percentages count in the diagonal of the whole mesh when they are first asked for, and stay what they "
       "were then, however the map grows. Where DIR holds a map, other bounds on positions than those asked "
       "before replace them, all of them; without any, those are kept. The same holds of bounds on "
-      "attributes. "
+      "attributes, of the map's number and frame, its levels and how large parts are; another number, frame "
+      "or edge of "
+      "parts makes all parts anew. "
       "Parts that stay as they are keep their files; those whose file is missing or damaged are written "
       "again.\n\n"
       "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"

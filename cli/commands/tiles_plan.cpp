@@ -31,6 +31,9 @@ struct Planning {
   std::string folder;
   std::vector<std::string> files;
   MapSettings settings;
+  /// Where nothing is said, as the map has it.
+  std::optional<std::uint64_t> id;
+  std::optional<std::string> frame;
   std::uint64_t tile_triangles = 2'000'000;
   FileOptions options;
   bool asks_of_attributes = false;
@@ -51,16 +54,11 @@ int add_primers(FiledPlan& plan) {
   return kOk;
 }
 
-/// Where the folder holds a map the tiles begin an epoch of it [MAP-5]. Returns the exit code.
-int continue_map(const std::string& folder, TilePlan& plan) {
-  int status = kOk;
-  if (!is_map(folder)) return status;
-  const auto before = load_manifest(folder, status);
-  if (!before) return status;
-  plan.description.epoch = before->description.epoch + 1;
-  plan.revision = before->revision + 1;
-  plan.group = before->next_group;
-  return status;
+/// The tiles begin an epoch of the map [MAP-5].
+void continue_map(const MapManifest& before, TilePlan& plan) {
+  plan.description.epoch = before.description.epoch + 1;
+  plan.revision = before.revision + 1;
+  plan.group = before.next_group;
 }
 
 /// The paths by which tiles find the files, from any folder; says which of them a plan cannot hold.
@@ -117,8 +115,18 @@ int run_plan(const Planning& planning) {
   if (!paths) return kUsage;
   int status = kOk;
   MapBounds before;
-  if (is_map(planning.folder) && !load_bounds(planning.folder, before, status)) return status;
+  std::optional<MapManifest> map;
+  if (is_map(planning.folder)) {
+    map = load_manifest(planning.folder, status);
+    if (!map || !load_bounds(planning.folder, before, status)) return status;
+  }
   MapSettings settings = planning.settings;
+  if (map) {
+    settings.id = map->description.id;
+    settings.frame = map->description.frame;
+  }
+  if (planning.id) settings.id = *planning.id;
+  if (planning.frame) settings.frame = *planning.frame;
   if (planning.asks_of_attributes) before.attributes = settings.quality.attributes;
   if (before.attributes) settings.quality.attributes = *before.attributes;
   auto planner = TilePlanner::make(settings, planning.tile_triangles);
@@ -137,7 +145,7 @@ int run_plan(const Planning& planning) {
     print_error("tiles plan", "the files have no faces");
     return kBadInput;
   }
-  if (status = continue_map(planning.folder, plan.plan); status != kOk) return status;
+  if (map) continue_map(*map, plan.plan);
   if (status = add_primers(plan); status != kOk) return status;
   if (const auto saved = save_plan(planning.folder, plan); !saved)
     return fail(planning.folder, saved.error());
@@ -170,11 +178,13 @@ void add_tiles_plan(CLI::App& tiles, int& status) {
                    "of a tile at the most, where parts allow; each takes about 300 bytes of memory")
       ->check(refuse_negative)
       ->capture_default_str();
-  command->add_option("--map-id", planning->settings.id, "which map")
+  command->add_option("--map-id", planning->id, "which map; where DIR holds one, its number")
       ->check(refuse_negative)
-      ->capture_default_str();
-  command->add_option("--frame", planning->settings.frame, "name of the coordinate frame")
-      ->capture_default_str();
+      ->default_str(std::to_string(planning->settings.id));
+  command
+      ->add_option("--frame", planning->frame,
+                   "name of the coordinate frame; where DIR holds a map, its frame")
+      ->default_str(planning->settings.frame);
   add_part_quality(*command, planning->settings.quality);
   for (const char* bound : {"--max-error", "--vde", "--lfe"}) command->get_option(bound)->type_name("NUMBER");
   command->get_option("--max-error")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -22,7 +23,8 @@ Result<void> verify_showing_progress(std::span<const std::byte> bytes) {
 }
 
 int run_verify(const std::string& file) {
-  if (is_map(file)) return verify_map(file);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) return verify_map(file);
   const Result<std::vector<std::byte>> bytes = read_input(file);
   if (!bytes) return fail(file, bytes.error());
   const Result<StreamInfo> info = inspect(*bytes);

@@ -15,6 +15,8 @@
 namespace deltamesh::cli {
 namespace {
 
+constexpr std::uint8_t kMostLevels = 21;
+
 std::string path_in(const std::string& folder) {
   return (std::filesystem::path(folder) / "bounds.json").string();
 }
@@ -29,6 +31,9 @@ bool load_bounds(const std::string& folder, MapBounds& bounds, int& status) {
     bounds.bounds = bounds_of(json.member("bounds"), false);
     if (const auto attributes = json.optional_member("attributes"))
       bounds.attributes = attributes_of(*attributes);
+    if (const auto parts = json.optional_member("parts"))
+      bounds.parts = MapParts{.most_triangles = parts->member("most_triangles").whole<std::uint32_t>(1),
+                              .levels = parts->member("levels").whole<std::uint8_t>(0, kMostLevels)};
   });
   if (wrong.empty()) return true;
   print_error(path_in(folder), wrong + "; delete that file and ask for bounds");
@@ -43,6 +48,8 @@ Result<void> save_bounds(const std::string& folder, const MapBounds& bounds) {
     return {};
   }
   nlohmann::json json{{"asked", json_of(bounds.asked)}, {"bounds", json_of(bounds.bounds)}};
+  if (bounds.parts)
+    json["parts"] = {{"most_triangles", bounds.parts->most_triangles}, {"levels", bounds.parts->levels}};
   if (bounds.attributes) json["attributes"] = json_of(*bounds.attributes);
   const std::string text = json.dump() + '\n';
   return write_file(path_in(folder), std::as_bytes(std::span(text)));

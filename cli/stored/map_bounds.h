@@ -13,10 +13,17 @@
 
 namespace deltamesh::cli {
 
+/// How a mesh is split into parts.
+struct MapParts {
+  std::uint32_t most_triangles = MapSettings{}.most_triangles;
+  std::uint8_t levels = 0;
+};
+
 struct MapBounds {
   QualityRequest asked{};                        ///< as MapState has it
   QualityRequest bounds{};                       ///< likewise
   std::optional<AttributeQuality> attributes{};  ///< what was asked of attributes; empty: nothing
+  std::optional<MapParts> parts{};               ///< of `map split`
 };
 
 /// Fills `bounds`; a folder without the file leaves them empty. Where the file is wrong, says so and leaves

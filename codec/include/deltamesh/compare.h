@@ -75,12 +75,12 @@ struct Roundings {
 /// Compares `b` (the approximation) with `a` (the original). `order`: the vertex of `a` for every vertex of
 /// `b`; vertices correspond when the counts fit and every triangle of `b` is a triangle of `a` (same
 /// orientation, any rotation, any order) under it. Empty: the same index; where that does not correspond,
-/// faces are matched by place and neighbours, copies of a vertex told apart by their faces and attributes,
-/// and the meshes correspond where this finds all faces of both. Otherwise distances to the surface are used.
-/// Attributes stand for each other by name and kind, else by kind in their order. Cost O(n log n). Errors:
-/// kInvalidMesh, kNotFinite, kLimitExceeded (what a stream cannot hold, such as more than 1024 attributes),
-/// kInvalidArgument (`order` with an index out of range or of a wrong length; `roundings` of a wrong length),
-/// kOutOfMemory.
+/// or other places are much nearer, faces are matched by place and neighbours, copies of a vertex told apart
+/// by their faces and attributes, and the meshes correspond where this finds all faces of both. Otherwise
+/// distances to the surface are used. Attributes stand for each other by name and kind, else by kind in their
+/// order. Cost O(n log n). Errors: kInvalidMesh, kNotFinite, kLimitExceeded (what a stream cannot hold, such
+/// as more than 1024 attributes), kInvalidArgument (`order` with an index out of range or of a wrong length;
+/// `roundings` of a wrong length), kOutOfMemory.
 Result<Comparison> compare(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order = {},
                            const Roundings& roundings = {}) noexcept;
 

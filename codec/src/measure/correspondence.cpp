@@ -13,6 +13,9 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// Of an edge, that a vertex may have moved by: less cannot be chance where neighbours meet neighbours.
+constexpr double kCredible = 0.25;
+
 /// The smallest of the three rotations; equal for two triangles exactly when one is a rotation of the other.
 Triangle canonical(const Triangle& t) {
   return std::min({t, Triangle{t[1], t[2], t[0]}, Triangle{t[2], t[0], t[1]}});
@@ -66,7 +69,6 @@ double median(std::vector<double>& values) {
 /// Drops matches whose corners are too far apart to be the same face; all of them where most are. For meshes
 /// whose faces do not correspond one to one. O(m).
 void drop_far_matches(const FaceGraph& a, const FaceGraph& b, std::vector<FaceMatch>& matches) {
-  constexpr double kCredible = 0.25;  // of an edge: less cannot be chance where neighbours meet neighbours
   std::vector<double> distances;
   std::vector<double> edges;
   for (std::uint32_t f = 0; f < b.real_faces; ++f) {
@@ -156,6 +158,42 @@ Correspondence by_faces(const MeshView& mesh_a, const MeshView& mesh_b, const At
   return found;
 }
 
+/// Of the places of two meshes, relative to A's origin.
+class Places {
+ public:
+  Places(const MeshView& a, const MeshView& b) : a_(a), b_(b), apart_(widen(b.origin) - widen(a.origin)) {}
+
+  double apart(const VertexPair& pair) const { return length(at(b_, pair.b) + apart_ - at(a_, pair.a)); }
+
+  /// Whether no corner of a face is far from the vertex of the same number.
+  bool are_near() const {
+    for (std::size_t c = 0; c + 2 < a_.triangles.size(); c += 3) {
+      double longest = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        longest =
+            std::max(longest, length(at(a_, a_.triangles[c + k]) - at(a_, a_.triangles[c + (k + 1) % 3])));
+      for (std::size_t k = 0; k < 3; ++k)
+        if (apart({.a = a_.triangles[c + k], .b = a_.triangles[c + k]}) > kCredible * longest) return false;
+    }
+    return !a_.triangles.empty();
+  }
+
+  double mean_square(const std::vector<VertexPair>& pairs) const {
+    double sum = 0;
+    for (const VertexPair& pair : pairs) sum += apart(pair) * apart(pair);
+    return sum / static_cast<double>(std::max<std::size_t>(pairs.size(), 1));
+  }
+
+ private:
+  static Vec3 at(const MeshView& mesh, std::uint32_t v) noexcept {
+    return widen(mesh.positions.subspan(3 * std::size_t{v}, 3));
+  }
+
+  const MeshView& a_;
+  const MeshView& b_;
+  Vec3 apart_;
+};
+
 }  // namespace
 
 Correspondence correspondence_of(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
@@ -165,7 +203,14 @@ Correspondence correspondence_of(const MeshView& a, const MeshView& b, std::span
     std::vector<std::uint32_t> identity(b.vertex_count());
     std::iota(identity.begin(), identity.end(), 0U);
     Correspondence found = by_order(a, b, identity);
-    if (found.whole) return found;
+    const Places places(a, b);
+    if (found.whole && places.are_near()) return found;
+    // Numbers tell nothing of faces that have no vertex in common.
+    constexpr double kClear = 0.25;
+    Correspondence matched = by_faces(a, b, attributes);
+    const bool is_clear = !found.whole || (matched.whole && places.mean_square(matched.pairs) <
+                                                                kClear * places.mean_square(found.pairs));
+    return is_clear ? matched : found;
   }
   return by_faces(a, b, attributes);
 }

@@ -21,9 +21,9 @@ struct Correspondence {
   std::uint64_t faces = 0;           ///< matched ones
 };
 
-/// By `order`, a vertex of A for every vertex of B; where it is empty by the vertices' numbers if these fit,
-/// else by the places of faces, `attributes` telling apart what is at one place. Both meshes have passed
-/// check_mesh(). O((n + m) log(n + m)).
+/// By `order`, a vertex of A for every vertex of B; where it is empty by the vertices' numbers if these fit
+/// and faces are not much nearer otherwise, else by the places of faces, `attributes` telling apart what is
+/// at one place. Both meshes have passed check_mesh(). O((n + m) log(n + m)).
 Correspondence correspondence_of(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
                                  const AttributeComparer& attributes);
 

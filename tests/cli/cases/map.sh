@@ -44,6 +44,20 @@ for ask in '--max-error 0.05' '--max-error 0.02%' '--max-error 0.02%' '' '--vde 
   quiet map split rooms.ply bounds.map --part-edge 2 $ask
   say "$ask ->$(grep '^ *bounds' .out | tr -s ' ')"
 done
+# So are its number and frame, its levels and the size of its parts, until others are asked for.
+quiet map split rooms.ply named.map --part-edge 2 --max-error 0.01 --map-id 7 --frame odom --levels 1 --part-triangles 500
+for ask in '' '--levels 0' '' '--frame map'; do
+  quiet map split more.ply named.map --part-edge 2 $ask
+  say "$ask ->$(grep -E '^ *map ' .out | tr -s ' ')$(grep -o 'coarser copies$' .out)"
+  cat named.map/bounds.json
+done
+# Without bounds.json nothing tells what the map keeps.
+rm named.map/bounds.json
+run map split more.ply named.map --part-edge 2
+run map split more.ply named.map --part-edge 2 --max-error 0.01
+quiet map split more.ply named.map --part-edge 2 --max-error 0.01 --color-error 4
+mkdir empty
+run verify empty
 damaged_bounds() { echo "$1" >bounds.map/bounds.json; run map split rooms.ply bounds.map --part-edge 2; }
 damaged_bounds damaged
 damaged_bounds '{"asked":{"vde":"none"},"bounds":{}}'

@@ -150,6 +150,39 @@ TEST(Compare, DoesNotMissFacesThatDrawNothing) {
   }
 }
 
+/// Their numbers are alike in every order.
+TEST(Compare, FindsTheOrderOfFacesWithoutCommonVertices) {
+  constexpr std::uint32_t kFaces = 100;
+  Mesh a;
+  Mesh b;
+  for (std::uint32_t i = 0; i < kFaces; ++i) {
+    const auto add = [&](Mesh& mesh, std::uint32_t face, float error) {
+      const float x = 3 * static_cast<float>(face);
+      mesh.positions.insert(mesh.positions.end(), {x, error, 0, x + 1, 0, 0, x, 1, 0});
+      mesh.triangles.insert(mesh.triangles.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+    };
+    add(a, i, 0);
+    add(b, (i * 7 + 5) % kFaces, 0.125F);
+  }
+  const auto result = compare(a, b);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->corresponding);
+  EXPECT_TRUE(result->reordered);
+  EXPECT_DOUBLE_EQ(result->quality.max_error, 0.125);
+}
+
+/// Errors of many edges do not change which vertex is which.
+TEST(Compare, FollowsNumbersThroughLargeErrors) {
+  const Mesh a = grid(20, 0);
+  Mesh b = a;
+  for (float& x : b.positions) x += 0.5F;
+  const auto result = compare(a, b);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->corresponding);
+  EXPECT_FALSE(result->reordered);
+  EXPECT_NEAR(result->quality.max_error, 0.5 * std::sqrt(3.0), 1e-6);
+}
+
 TEST(Compare, FindsTheOrderOfPoints) {
   Mesh a = grid(6, 0);
   a.triangles.clear();
@@ -157,10 +190,12 @@ TEST(Compare, FindsTheOrderOfPoints) {
   const Mesh b = shuffled(a, order);
   Mesh fewer = b;
   fewer.positions.resize(fewer.positions.size() - 3);
-  const auto result = compare(a, fewer);
-  ASSERT_TRUE(result);
-  EXPECT_TRUE(result->corresponding);
-  EXPECT_EQ(result->quality.max_error, 0);
+  for (const Mesh& points : {b, fewer}) {
+    const auto result = compare(a, points);
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result->corresponding);
+    EXPECT_EQ(result->quality.max_error, 0);
+  }
 }
 
 TEST(Compare, MeasuresSurfacesOfOtherTriangulations) {
