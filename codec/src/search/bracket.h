@@ -51,7 +51,9 @@ class Bracket {
     if (keeps) kept_ = setting_;
     has_kept_ |= keeps;
     learn_slope(now);
-    same_side_ = last_.known && (last_.excess <= 0) == keeps ? same_side_ + 1 : 1;
+    const bool is_same_side = last_.known && (last_.excess <= 0) == keeps;
+    same_side_ = is_same_side ? same_side_ + 1 : 1;
+    fell_short_ = is_same_side && std::abs(now.at - last_.at) < 0.9 * kStride ? fell_short_ + 1 : 0;
     last_ = now;
     (keeps ? good_ : bad_) = now;
     done_ = keeps ? excess >= plan_.tolerance || is_at(best_end()) || trials_ >= plan_.trials
@@ -71,8 +73,8 @@ class Bracket {
   static constexpr double kSteepest = 2;    ///< likewise
   static constexpr double kEdge = 0.04;     ///< share of the bracket that no trial comes nearer to its ends
   static constexpr double kNarrowest = 0.0015;  ///< octaves
-  static constexpr int kFarOff = 8;             ///< trials without a bracket, after which moves are strides
   static constexpr int kStuck = 3;              ///< trials on one side, after which the bracket is halved
+  static constexpr double kStretch = 0.0625;  ///< octaves; twice as much a move is at least after a short one
 
   double best_end() const noexcept { return plan_.slope > 0 ? plan_.most : plan_.least; }
   double safe_end() const noexcept { return plan_.slope > 0 ? plan_.least : plan_.most; }
@@ -92,9 +94,12 @@ class Bracket {
     double move = (now.excess > 0 ? -towards_best : towards_best) * kStride;
     if (std::isfinite(now.excess)) move = std::clamp((plan_.aim - now.excess) / slope_, -kStride, kStride);
     // Forecasts that fall short again and again: a floor, or hardly anything left that depends on the
-    // setting.
-    if (!good_.known || !bad_.known)
-      return now.at + (same_side_ >= kFarOff ? std::copysign(kStride, move) : move);
+    // setting. Then least moves double.
+    if (!good_.known || !bad_.known) {
+      if (fell_short_ == 0) return now.at + move;
+      const double least = std::min(kStretch * portable_exp2(fell_short_), kStride);
+      return now.at + std::copysign(std::max(std::abs(move), least), move);
+    }
     if (same_side_ >= kStuck || !std::isfinite(now.excess)) return (good_.at + bad_.at) / 2;
     const double low = std::min(good_.at, bad_.at);
     const double width = std::abs(good_.at - bad_.at);
@@ -129,6 +134,7 @@ class Bracket {
   bool done_ = false;
   int trials_ = 0;
   int same_side_ = 0;
+  int fell_short_ = 0;  ///< moves without a bracket, one after another
   double kept_ = 0;
   bool has_kept_ = false;
   Point last_;

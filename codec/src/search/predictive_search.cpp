@@ -40,13 +40,14 @@ double largest_side(const VoxelFit& fit) noexcept {
   return *std::max_element(fit.voxel.begin(), fit.voxel.end());
 }
 
-bool are_most_in_cubes(const VoxelFit& fit) noexcept {
-  constexpr double kMost = 0.5;  // of the vertices on edges, of the faces in cubes
-  return std::min(fit.share, fit.in_cubes) > kMost;
-}
-
 /// Heights over a grid have a lattice of their own. But a part of a map on a given grid may be a floor.
 bool may_be_heights(const VoxelFit& fit) noexcept { return fit.is_along_one_axis && !fit.is_given; }
+
+/// Mostly: then the grid coder takes less than any lattice.
+bool is_of_cubes(const VoxelFit& fit) noexcept {
+  constexpr double kMost = 0.5;  // of the vertices on edges, of the faces in cubes
+  return !may_be_heights(fit) && std::min(fit.share, fit.in_cubes) > kMost;
+}
 
 /// The coarsest lattice or the fewest levels that keep the bounds; see search_predictive().
 class BoundSearch {
@@ -59,7 +60,7 @@ class BoundSearch {
     const double step = lattice_step_for(bounds_, box_);
     const auto& voxels = trials_.voxels();
     const bool enough = voxels && are_voxels_enough(trials_);
-    if (voxels && (!is_quick || enough)) {
+    if (voxels && (!is_quick || is_of_cubes(*voxels))) {
       keep_smaller(on_voxels(*voxels));
       keep_smaller(on_usual_levels(*voxels));
     }
@@ -145,7 +146,7 @@ class BudgetSearch {
   Result<Candidate> run() {
     const auto& voxels = trials_.voxels();
     if (voxels) fit_levels(*voxels);
-    if (!best_ || !are_most_in_cubes(*voxels)) fit_lattice();
+    if (!best_ || !is_of_cubes(*voxels)) fit_lattice();
     if (!best_ || may_fit_exactly()) fit_exactly();
     if (!best_) return too_few_bytes(fewest_);
     return *std::move(best_);
@@ -240,7 +241,7 @@ double lattice_step_for(const Bounds& bounds, const Box& box) noexcept {
 bool are_voxels_enough(const PredictiveTrials& trials) {
   constexpr double kMuchFiner = 0.25;  // than the lattice: then a plane of voxels means nothing
   const auto& voxels = trials.voxels();
-  return voxels && !may_be_heights(*voxels) && are_most_in_cubes(*voxels) &&
+  return voxels && is_of_cubes(*voxels) &&
          largest_side(*voxels) > kMuchFiner * lattice_step_for(trials.request().bounds, trials.source().box);
 }
 
