@@ -56,9 +56,9 @@ void add_bounds(CLI::App& command, QualityRequest& request) {
 void add_position_quality(CLI::App& command, QualityRequest& request) {
   add_bounds(command, request);
   command
-      .add_option(
-          "--target-bytes", request.target_bytes,
-          "most bytes of a stream, or of all of an asset's together; alone: the best quality that fits")
+      .add_option("--target-bytes", request.target_bytes,
+                  "most bytes of a stream, or of all of an asset's together; alone: the best quality that "
+                  "fits, where errors of attributes grow with those of positions unless bounds are given")
       ->check(refuse_negative)
       ->group(kPositions);
 }
@@ -181,6 +181,7 @@ void add_encode_options(CLI::App& command, EncodeOptions& options) {
     for (const char* name : kAttributeOptions)
       if (options.lossless && command.count(name) > 0)
         throw CLI::ValidationError(name, "excluded by --lossless, which keeps attributes exactly");
+    options.attributes.is_asked = asks_of_attributes(command);
   });
 }
 

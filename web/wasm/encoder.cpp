@@ -80,12 +80,18 @@ EncodeOptions options_of(const OptionsCall& call) {
   options.anchors = given_as<std::uint32_t>(call.anchors);
   options.anchor_density = given_as<std::uint32_t>(call.anchor_density);
   options.anchor_bits = static_cast<int>(call.anchor_bits);
-  options.attributes = {.normal_error = call.normal_error,
+  const AttributeQuality usual;
+  const auto is_given = [](double x) { return given(x).has_value(); };
+  options.attributes = {.normal_error = given(call.normal_error).value_or(usual.normal_error),
                         .tangent_error = given(call.tangent_error),
-                        .uv_error = call.uv_error,
+                        .uv_error = given(call.uv_error).value_or(usual.uv_error),
                         .color_error = given(call.color_error),
                         .color_rms = given(call.color_rms),
-                        .weight_error = call.weight_error};
+                        .weight_error = given(call.weight_error).value_or(usual.weight_error),
+                        .is_asked = call.named_count > 0 || is_given(call.normal_error) ||
+                                    is_given(call.tangent_error) || is_given(call.uv_error) ||
+                                    is_given(call.color_error) || is_given(call.color_rms) ||
+                                    is_given(call.weight_error)};
   for (std::uint32_t i = 0; i < call.named_count; ++i) {
     const NamedCall& named = call.named[i];
     options.attributes.named.push_back(

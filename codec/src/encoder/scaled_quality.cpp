@@ -21,6 +21,7 @@ double scaled_to(double bound, double scale, double largest) noexcept {
 }  // namespace
 
 AttributeQuality scaled(const AttributeQuality& quality, double scale) {
+  if (quality.is_asked) scale = std::min(scale, 1.0);
   AttributeQuality result = quality;
   result.normal_error = scaled_to(quality.normal_error, scale, kLargestAngle);
   if (quality.tangent_error) result.tangent_error = scaled_to(*quality.tangent_error, scale, kLargestAngle);

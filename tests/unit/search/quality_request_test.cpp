@@ -406,6 +406,33 @@ TEST(QualityRequest, WhatFloatsCannotHoldIsUnmet) {
   EXPECT_GT(tiny.error().best_bytes, 20U);
 }
 
+/// Bounds of attributes that are asked for hold within a number of bytes; others grow with the errors of
+/// positions.
+TEST(QualityRequest, BytesDoNotExceedBoundsOfAttributes) {
+  Mesh mesh = shaken_grid();
+  Attribute colors{.kind = AttributeKind::kColor, .type = ComponentType::kU8, .components = 3, .name = "red"};
+  for (std::uint32_t i = 0; i < 3 * mesh.vertex_count(); ++i)
+    colors.values.push_back(static_cast<std::byte>(i * 2654435761U >> 24));
+  mesh.attributes = {colors};
+  constexpr double kBound = 8;
+  const auto usual = encode(mesh, {.attributes = {.color_error = kBound}});
+  ASSERT_TRUE(usual) << describe(usual.error());
+  const StreamInfo& stream = usual->report.stream;
+  const std::uint64_t target = stream.bytes - (stream.bytes - stream.attribute_bytes) / 3;
+  for (const bool is_asked : {false, true}) {
+    const EncodeOptions options{.quality = {.target_bytes = target},
+                                .attributes = {.color_error = kBound, .is_asked = is_asked}};
+    const auto encoded = encode(mesh, options);
+    ASSERT_TRUE(encoded) << describe(encoded.error());
+    EXPECT_LE(encoded->bytes.size(), target);
+    EXPECT_EQ(encoded->report.stream.attributes[0].error > kBound, !is_asked);
+  }
+  const auto refused = encode(mesh, {.quality = {.target_bytes = stream.attribute_bytes / 2},
+                                     .attributes = {.color_error = kBound, .is_asked = true}});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kUnmetRequest);
+}
+
 TEST(ErrorPeaks, AreLargestFirstAndApart) {
   const auto mesh = test::sheet(20, 20);
   std::vector<double> errors(400, 0.1);

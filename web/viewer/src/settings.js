@@ -113,15 +113,18 @@ export function fromHash(hash) {
 /** EncodeOptions of @deltamesh/encoder. */
 export function encodeOptions(settings) {
   const share = (value) => (value === null ? undefined : { value, unit: 'diagonal' });
+  // Of attributes: within a size, what nobody asked for grows with the errors of positions.
+  const asked = (key) => (settings.size !== null && settings[key] === DEFAULTS[key] ? undefined : settings[key]);
+  const colors = asked('colors') ?? null;
   return {
     lossless: settings.preset === 'exact',
     vde: share(settings.vde),
     lfe: share(settings.lfe),
     maxError: share(settings.maxError),
     targetBytes: settings.size ?? undefined,
-    normalError: settings.normals,
-    colorRms: settings.colors === null ? undefined : 255 * 10 ** (-settings.colors / 20),
-    uvError: settings.uvs,
+    normalError: asked('normals'),
+    colorRms: colors === null ? undefined : 255 * 10 ** (-colors / 20),
+    uvError: asked('uvs'),
     geometry: settings.geometry,
     effort: Number(settings.effort),
   };
