@@ -102,7 +102,7 @@ Result<void> check_keeps_files(const std::vector<std::filesystem::path>& files, 
   for (const std::filesystem::path& file : files)
     if (std::filesystem::equivalent(file, output, absent))
       return with_found(
-          {.code = ErrorCode::kInvalidArgument, .message = "the output would replace a file of the asset"},
+          {.code = ErrorCode::kFileWrite, .message = "the output would replace a file of the asset"},
           file.filename().string());
   return {};
 }
