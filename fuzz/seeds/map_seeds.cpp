@@ -5,9 +5,7 @@
 // every kind of message, a receiver's talk with a sender, a map's message with primers, and parts by both
 // coders and as patches.
 #include <cstdlib>
-#include <fstream>
 #include <map>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,29 +15,20 @@
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_world.h"
+#include "seeds.h"
 #include "targets/map/map_part_codec.h"
 
 namespace {
 
 using namespace deltamesh;
-using Bytes = std::vector<std::byte>;
+using fuzz::Bytes;
+using fuzz::check;
+using fuzz::write;
 
 constexpr std::size_t kKind = 4;               ///< where a message has its kind [MAP-1]
 constexpr int kOfAKind = 2;                    ///< messages that are kept
 constexpr std::size_t kOffsetOfFragment = 14;  ///< where a short one has it [MAP-25]
 constexpr std::size_t kHighestByteOfVde = 38;  ///< of a view of varints below 128, without boxes [MAP-15]
-
-template <class T>
-T check(Result<T> result) {
-  if (!result) std::abort();
-  return *std::move(result);
-}
-
-void write(const std::string& path, std::span<const std::byte> bytes) {
-  std::ofstream out(path, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!out.flush()) std::abort();
-}
 
 /// The messages between a sender of a small map that changes and a receiver.
 std::vector<Bytes> talk() {
