@@ -9,27 +9,15 @@
 #include <cstdlib>
 #include <span>
 
+#include "goal.h"
 #include "highpass/highpass.h"
-#include "support/graph_mesh.h"
+#include "meshes.h"
 
 namespace {
 
 using namespace deltamesh;
 
-test::GraphMesh choose_mesh(unsigned choice) {
-  switch (choice % 5) {
-    case 0:
-      return test::fragments();
-    case 1:
-      return test::sheet(6, 5);
-    case 2:
-      return test::fan(40);
-    case 3:
-      return test::sheet(1, 1);  // one vertex, no faces
-    default:
-      return test::finish({});
-  }
-}
+fuzz::Goal positions_read("positions");
 
 }  // namespace
 
@@ -37,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 6) return 0;
   const std::uint8_t* choice = data + size - 6;
   const auto payload = std::as_bytes(std::span(data, size - 6));
-  const test::GraphMesh mesh = choose_mesh(choice[0]);
+  const test::GraphMesh mesh = fuzz::choose_mesh(choice[0]);
   const HighpassParameters parameters{.bits = 8,
                                       .step = std::ldexp(1.0, choice[3] * 4 - 512),
                                       .anchor_bits = static_cast<std::uint8_t>(choice[1] % 26),
@@ -55,5 +43,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const Vec3& position : *positions) {
     if (!std::isfinite(position[0] + position[1] + position[2])) std::abort();
   }
+  positions_read.reach();
   return 0;
 }
