@@ -2,7 +2,8 @@
 // Copyright 2026 The deltamesh authors
 //
 // read_highpass on arbitrary payloads over a small graph. The last six bytes choose graph and cycles,
-// anchor bits, number of anchors, size of the step, and where the ANCH payload begins.
+// anchor bits (and 128 for the compact form), number of anchors, size of the step, and where the ANCH payload
+// begins.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +18,8 @@ namespace {
 
 using namespace deltamesh;
 
-fuzz::Goal positions_read("positions");
+fuzz::Goal plain_read("the plain form");
+fuzz::Goal compact_read("the compact form");
 
 }  // namespace
 
@@ -28,13 +30,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const test::GraphMesh mesh = fuzz::choose_mesh(choice[0]);
   const HighpassParameters parameters{.bits = 8,
                                       .step = std::ldexp(1.0, choice[3] * 4 - 512),
-                                      .anchor_bits = static_cast<std::uint8_t>(choice[1] % 26),
+                                      .anchor_bits = static_cast<std::uint8_t>(choice[1] % 128 % 26),
                                       .anchors = choice[2] % 90U,
                                       .anchor_density = 1,
                                       .cycles = static_cast<std::uint8_t>(choice[0] / 5)};
   const std::size_t split = payload.empty() ? 0 : (choice[4] + 256U * choice[5]) % (payload.size() + 1);
-  const auto positions = read_highpass(payload.first(split), payload.subspan(split), mesh.graph,
-                                       mesh.components, mesh.box, parameters);
+  Payload deltas = payload.first(split);
+  Payload anchors = payload.subspan(split);
+  deltas.is_compact = anchors.is_compact = choice[1] >= 128;
+  const auto positions = read_highpass(deltas, anchors, mesh.graph, mesh.components, mesh.box, parameters);
   if (!positions) {
     if (positions.error().code == ErrorCode::kInternal) std::abort();
     return 0;
@@ -43,6 +47,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const Vec3& position : *positions) {
     if (!std::isfinite(position[0] + position[1] + position[2])) std::abort();
   }
-  positions_read.reach();
+  (deltas.is_compact ? compact_read : plain_read).reach();
   return 0;
 }
