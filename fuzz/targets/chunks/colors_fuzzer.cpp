@@ -13,42 +13,31 @@
 
 #include "attributes/colors/colors.h"
 #include "attributes/haar/haar.h"
-#include "support/graph_mesh.h"
+#include "goal.h"
+#include "meshes.h"
 
 namespace {
 
 using namespace deltamesh;
 
-struct Surface {
-  test::GraphMesh mesh;
-  std::vector<float> positions;
-  std::vector<std::uint32_t> geometric;
-
-  explicit Surface(test::GraphMesh of) : mesh(std::move(of)) {
-    for (const Vec3& p : mesh.positions)
-      for (const double x : {p[0], p[1], p[2]}) positions.push_back(static_cast<float>(x));
-    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) geometric.push_back(v % 40);
-  }
-  AttributeSurface get(bool with_positions, bool with_copies) const {
-    const auto count = static_cast<std::uint32_t>(mesh.positions.size());
-    return {mesh.triangles, count, with_copies ? std::span(geometric) : std::span<const std::uint32_t>{},
-            with_positions ? std::span(positions) : std::span<const float>{}};
-  }
-};
+fuzz::Goal exact_colors("colours");
+fuzz::Goal colors_at_mean("colours at a mean error");
+fuzz::Goal numbers_at_mean("numbers at a mean error");
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr ComponentType kTypes[] = {ComponentType::kU8, ComponentType::kU16, ComponentType::kF32,
                                       ComponentType::kU8};
-  static const Surface kSurfaces[] = {Surface(test::fragments()), Surface(test::fan(30))};
+  static const fuzz::ColoredMesh kMeshes[] = {fuzz::ColoredMesh(test::fragments()),
+                                              fuzz::ColoredMesh(test::fan(30))};
   if (size == 0) return 0;
   const unsigned choice = data[size - 1];
   const ComponentType type = kTypes[choice % 4];
   const bool at_mean_error = (choice & 64) != 0;
   const bool are_numbers = at_mean_error && choice >= 128;
   const unsigned components = are_numbers ? 1 : 3 + choice / 4 % 2;
-  const AttributeSurface surface = kSurfaces[choice / 8 % 2].get((choice & 16) != 0, (choice & 32) != 0);
+  const AttributeSurface surface = kMeshes[choice / 8 % 2].surface((choice & 16) != 0, (choice & 32) != 0);
   const Attribute shape{.kind = are_numbers ? AttributeKind::kGeneric : AttributeKind::kColor,
                         .type = type,
                         .components = static_cast<std::uint8_t>(components)};
@@ -72,11 +61,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!written) return 0;
     const auto again = read_haar_values(written->bytes, shape, surface);
     if (!again || *again != written->values) std::abort();
+    (are_numbers ? numbers_at_mean : colors_at_mean).reach();
     return 0;
   }
   const auto written = write_surface_colors(type, AttributeRows(view, order), 0, surface);
   if (!written || written->values != *read) std::abort();
   const auto again = read_surface_colors(written->bytes, type, components, surface);
   if (!again || *again != *read) std::abort();
+  exact_colors.reach();
   return 0;
 }

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "attributes/attribute.h"
+#include "coder_run.h"
 #include "connectivity/faces/faces.h"
-#include "entropy/coder/reader.h"
-#include "entropy/coder/writer.h"
+#include "goal.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "support/graph_mesh.h"
@@ -20,6 +20,12 @@
 namespace {
 
 using namespace deltamesh;
+
+fuzz::Goal coder_read("the coder's symbols");
+fuzz::Goal connectivity_read("CONN");
+fuzz::Goal deltas_read("DELT");
+fuzz::Goal anchors_read("ANCH");
+fuzz::Goal attribute_read("ATTR");
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -32,41 +38,20 @@ void require_clean(const Result<T>& result) {
 
 /// Symbols of every kind, as many as the bytes last for; then the same symbols through a writer.
 void fuzz_coder(std::span<const std::byte> bytes) {
-  constexpr SymbolModel kFresh({1, 1, 1, 1, 1, 1, 1, 9, 1, 1, 1, 1, 1, 1, 1, 1});
-  constexpr std::size_t kMost = 4096;
-  const auto run = [&](auto& coder, std::vector<std::uint32_t>& values, const auto& go_on) {
-    std::array<SymbolModel, 2> models = {kFresh, kFresh};
-    MixWeights weights;
-    BitModel bit;
-    NumberModel number;
-    SymbolBits inner;
-    for (std::size_t i = 0; go_on(i); ++i) {
-      if (i == values.size()) values.push_back(0);
-      std::uint32_t& value = values[i];
-      if (i % 5 == 0) value = coder.symbol(value, Mixture<2>{{&models[0], &models[1]}, &weights});
-      if (i % 5 == 1) value = coder.bit(value != 0, bit) ? 1 : 0;
-      if (i % 5 == 2) value = coder.bits(value, static_cast<unsigned>(i % 33));
-      if (i % 5 == 3) value = coder.number(value, number);
-      if (i % 5 == 4) {
-        LowBits low{.count = static_cast<unsigned>(i % (kMostBitsAtOnce + 2)), .value = value >> 4};
-        const Mixture<2> mixture{{&models[0], &models[1]}, &weights};
-        const unsigned symbol = coder.symbol_and_bits(value % 16, low, mixture, inner);
-        value = low.value << 4 | symbol;
-      }
-    }
-  };
   std::vector<std::uint32_t> values;
   CompactReader reader(bytes);
-  run(reader, values, [&](std::size_t i) { return i < kMost && !reader.failed(); });
-  require_clean(reader.finish(0));
+  fuzz::run_coder(reader, values, [&](std::size_t i) { return i < fuzz::kMostRun && !reader.failed(); });
+  const auto finished = reader.finish(0);
+  require_clean(finished);
   CompactWriter writer;
   std::vector<std::uint32_t> copy = values;
-  run(writer, copy, [&](std::size_t i) { return i < values.size(); });
+  fuzz::run_coder(writer, copy, [&](std::size_t i) { return i < values.size(); });
   const auto written = writer.finish();
   CompactReader again(written);
   std::vector<std::uint32_t> back;
-  run(again, back, [&](std::size_t i) { return i < values.size(); });
+  fuzz::run_coder(again, back, [&](std::size_t i) { return i < values.size(); });
   require(back == values && again.finish(0).has_value());
+  if (finished) coder_read.reach();
 }
 
 void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
@@ -83,6 +68,7 @@ void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
   const auto coded = write_connectivity(read->triangles, kVertices);
   const auto again = read_connectivity(coded.payload, kVertices, faces);
   require(faces == 0 || (again && again->triangles == coded.triangles));
+  connectivity_read.reach();
 }
 
 void fuzz_deltas(std::span<const std::byte> bytes) {
@@ -92,6 +78,7 @@ void fuzz_deltas(std::span<const std::byte> bytes) {
   if (!read) return;
   const auto again = read_compact_deltas(write_compact_deltas(*read, kMesh.graph), kMesh.graph);
   require(again && *again == *read);
+  deltas_read.reach();
 }
 
 void fuzz_anchors(std::span<const std::byte> bytes, std::uint32_t count) {
@@ -100,6 +87,7 @@ void fuzz_anchors(std::span<const std::byte> bytes, std::uint32_t count) {
   if (!read) return;
   const auto again = read_anchors(write_compact_anchors(*read), count);
   require(again && again->gaps == read->gaps && again->steps == read->steps);
+  anchors_read.reach();
 }
 
 void fuzz_attribute(std::span<const std::byte> bytes) {
@@ -116,7 +104,9 @@ void fuzz_attribute(std::span<const std::byte> bytes) {
       .components = static_cast<std::uint8_t>(1 + number(2, kMaxComponents))};
   const auto read = read_attribute(Payload::compact(bytes.subspan(3)), descriptor, surface, {}, 1 << 16);
   require_clean(read);
-  if (read) require(read->values.size() == attribute_bytes(descriptor, rows));
+  if (!read) return;
+  require(read->values.size() == attribute_bytes(descriptor, rows));
+  attribute_read.reach();
 }
 
 }  // namespace

@@ -12,10 +12,14 @@
 
 #include "connectivity/faces/faces.h"
 #include "connectivity/plain/topology.h"
+#include "goal.h"
 
 namespace {
 
 using namespace deltamesh;
+
+fuzz::Goal faces_read("a payload");
+fuzz::Goal faces_written("any faces");
 
 /// What comes with the faces says the same as they do.
 void check_graph(const Connectivity& read, std::uint32_t vertex_count) {
@@ -66,10 +70,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     check_graph(*read, vertex_count);
     check_round_trip(read->triangles, vertex_count);
+    faces_read.reach();
   } else if (vertex_count != 0) {
     std::vector<std::uint32_t> triangles(size - size % 3);
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = data[i] % vertex_count;
     check_round_trip(triangles, vertex_count);
+    faces_written.reach();
   }
   return 0;
 }

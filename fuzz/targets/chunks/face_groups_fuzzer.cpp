@@ -12,18 +12,26 @@
 
 #include "connectivity/groups/groups.h"
 #include "connectivity/plain/topology.h"
+#include "goal.h"
+#include "meshes.h"
+
+namespace {
+
+using namespace deltamesh;
+
+fuzz::Goal plain_groups("the plain form");
+fuzz::Goal compact_groups("the compact form");
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace deltamesh;
   if (size < 2) return 0;
-  const std::uint32_t vertices = data[size - 2] % 128U;
-  const std::uint32_t faces = vertices == 0 ? 0 : data[size - 1];
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t corner = 0; corner < 3 * faces; ++corner)
-    triangles.push_back((corner / 3 + corner % 3 * (1 + faces % 7)) % vertices);
+  const fuzz::SpreadFaces spread(data[size - 2], data[size - 1]);
+  const auto& [vertices, faces, triangles, geometric] = spread;
   const auto payload = std::as_bytes(std::span(data, size - 2));
-  const auto groups = data[size - 2] >= 128 ? read_face_groups(payload, triangles, vertices)
-                                            : read_plain_groups(payload, faces);
+  const bool is_compact = data[size - 2] >= 128;
+  const auto groups =
+      is_compact ? read_face_groups(payload, triangles, vertices) : read_plain_groups(payload, faces);
   if (!groups) {
     if (groups.error().code == ErrorCode::kInternal) std::abort();
     return 0;
@@ -34,5 +42,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!again || *again != *groups) std::abort();
   const auto plain = read_plain_groups(write_plain_groups(*groups), faces);
   if (!plain || *plain != *groups) std::abort();
+  (is_compact ? compact_groups : plain_groups).reach();
   return 0;
 }

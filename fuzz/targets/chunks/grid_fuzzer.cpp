@@ -12,11 +12,15 @@
 #include <span>
 #include <vector>
 
+#include "goal.h"
 #include "grid/grid.h"
 
 namespace {
 
 using namespace deltamesh;
+
+fuzz::Goal grid_alone("a grid");
+fuzz::Goal grid_with_rest("a grid with other faces");
 
 constexpr std::size_t kTail = 9;
 
@@ -63,5 +67,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (again->positions[3 * v + axis] != read->positions[3 * std::size_t{written->vertex_order[v]} + axis])
         std::abort();
+  (rest == 0 ? grid_alone : grid_with_rest).reach();
   return 0;
 }

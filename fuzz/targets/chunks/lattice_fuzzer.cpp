@@ -14,20 +14,25 @@
 #include "attributes/attribute.h"
 #include "attributes/exceptions/exceptions.h"
 #include "attributes/payload.h"
+#include "goal.h"
+#include "meshes.h"
+
+namespace {
+
+using namespace deltamesh;
+
+fuzz::Goal values_read("values");
+fuzz::Goal exceptions_read("values with exceptions");
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace deltamesh;
   constexpr std::size_t kShape = 4;
   if (size < kShape) return 0;
   const std::uint8_t* const shape = data + size - kShape;
-  const std::uint32_t vertices = shape[0] % 128U;
-  const std::uint32_t faces = vertices == 0 ? 0 : shape[1];
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t corner = 0; corner < 3 * faces; ++corner)
-    triangles.push_back((corner / 3 + corner % 3 * (1 + faces % 7)) % vertices);
-  std::vector<std::uint32_t> geometric;
-  for (std::uint32_t v = 0; v < vertices && shape[0] >= 128; ++v) geometric.push_back(v / 2);
-  const AttributeSurface surface(triangles, vertices, geometric);
+  const fuzz::SpreadFaces spread(shape[0], shape[1]);
+  const AttributeSurface surface = spread.surface(shape[0] >= 128);
+  const std::uint32_t vertices = spread.vertices;
   const AttributeDescriptor descriptor{
       .type = static_cast<ComponentType>(shape[2] % 8),
       .components = static_cast<std::uint8_t>(1 + shape[3] % kMaxComponents)};
@@ -53,5 +58,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       written->is_compact ? Payload::compact(written->payload) : Payload(written->payload);
   const auto again = read_attribute(payload, written->descriptor, surface, {}, 1 << 16);
   if (!again || again->values != read->values) std::abort();
+  (exceptions == std::byte{0} ? values_read : exceptions_read).reach();
   return 0;
 }

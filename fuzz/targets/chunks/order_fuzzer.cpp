@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// ORDR payloads from anywhere. The last two bytes are the vertex count (and 128 for the compact form) and the
-// face count. What is read must come back unchanged from both forms.
+// ORDR payloads from anywhere. The last two bytes are the vertex count and the face count. What is read must
+// come back unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -10,15 +10,21 @@
 #include <vector>
 
 #include "connectivity/order/order.h"
+#include "goal.h"
+#include "meshes.h"
+
+namespace {
+
+using namespace deltamesh;
+
+fuzz::Goal order_read("an order");
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace deltamesh;
   if (size < 2) return 0;
-  const std::uint32_t vertices = data[size - 2] % 128U;
-  const std::uint32_t faces = vertices == 0 ? 0 : data[size - 1];
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t corner = 0; corner < 3 * faces; ++corner)
-    triangles.push_back((corner / 3 + corner % 3 * (1 + faces % 7)) % vertices);
+  const fuzz::SpreadFaces spread(data[size - 2], data[size - 1]);
+  const auto& [vertices, faces, triangles, geometric] = spread;
   const auto payload = std::as_bytes(std::span(data, size - 2));
   const auto order = read_order(payload, triangles, vertices);
   if (!order) {
@@ -31,5 +37,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!again || again->vertices != order->vertices || again->faces != order->faces ||
       again->rotation != order->rotation)
     std::abort();
+  order_read.reach();
   return 0;
 }

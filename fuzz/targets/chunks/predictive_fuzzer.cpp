@@ -9,26 +9,19 @@
 #include <cstdlib>
 #include <span>
 
+#include "goal.h"
+#include "meshes.h"
 #include "positions/plain.h"
 #include "positions/positions.h"
-#include "support/graph_mesh.h"
 
 namespace {
 
 using namespace deltamesh;
 
-test::GraphMesh choose_mesh(unsigned choice) {
-  switch (choice % 4) {
-    case 0:
-      return test::fragments();
-    case 1:
-      return test::sheet(6, 5);
-    case 2:
-      return test::fan(40);
-    default:
-      return test::finish({});
-  }
-}
+fuzz::Goal on_lattice("the compact form on a lattice");
+fuzz::Goal floats("floats in the compact form");
+fuzz::Goal plain_on_lattice("the plain form on a lattice");
+fuzz::Goal plain_floats("floats in the plain form");
 
 }  // namespace
 
@@ -36,14 +29,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 3) return 0;
   const std::uint8_t* choice = data + size - 3;
   const auto bytes = std::as_bytes(std::span(data, size - 3));
-  const test::GraphMesh mesh = choose_mesh(choice[0]);
+  const test::GraphMesh mesh = fuzz::choose_mesh(choice[0]);
   const auto cells = static_cast<std::uint32_t>((std::uint64_t{1} << (choice[1] % 29)) - choice[1] / 128);
   const PredictiveParameters parameters{
       .kind = choice[0] < 128 ? PositionKind::kLattice : PositionKind::kFloats,
       .lattice = {.cells = {cells, cells, cells}}};
   const FaceList faces{mesh.triangles, static_cast<std::uint32_t>(mesh.positions.size())};
-  const auto positions = choice[2] % 8 == 0 ? read_plain_positions(bytes, faces.vertex_count, parameters)
-                                            : read_positions(bytes, faces, parameters, mesh.box);
+  const bool is_plain = choice[2] % 8 == 0;
+  const auto positions = is_plain ? read_plain_positions(bytes, faces.vertex_count, parameters)
+                                  : read_positions(bytes, faces, parameters, mesh.box);
   if (!positions) {
     if (positions.error().code == ErrorCode::kInternal) std::abort();
     return 0;
@@ -51,5 +45,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (positions->size() != 3 * mesh.positions.size()) std::abort();
   for (const float x : *positions)
     if (!std::isfinite(x)) std::abort();
+  if (parameters.kind == PositionKind::kFloats) {
+    (is_plain ? plain_floats : floats).reach();
+  } else {
+    (is_plain ? plain_on_lattice : on_lattice).reach();
+  }
   return 0;
 }

@@ -12,24 +12,15 @@
 #include "connectivity/faces/faces.h"
 #include "connectivity/plain/topology.h"
 #include "connectivity/seams/seams.h"
-#include "support/soups.h"
+#include "goal.h"
+#include "meshes.h"
 
 namespace {
 
 using namespace deltamesh;
 
-test::Soup choose_mesh(unsigned choice) {
-  switch (choice % 4) {
-    case 0:
-      return test::grid(6, 5, true, false, 4, 1);
-    case 1:
-      return test::fan(30, true);
-    case 2:
-      return test::random_soup(2, 8, 20);
-    default:
-      return {"one_face_and_lone_vertices", {0, 1, 2}, 6};
-  }
-}
+fuzz::Goal plain_seams("the plain form");
+fuzz::Goal compact_seams("the compact form");
 
 void check_plain(std::span<const std::byte> payload, std::uint32_t geometric_count,
                  std::uint32_t vertex_count) {
@@ -37,13 +28,14 @@ void check_plain(std::span<const std::byte> payload, std::uint32_t geometric_cou
   if (!geometric) return;
   const auto again = read_plain_seams(write_plain_seams(*geometric), geometric_count, vertex_count);
   if (!again || *again != *geometric) std::abort();
+  plain_seams.reach();
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
-  const test::Soup soup = choose_mesh(data[size - 2]);
+  const test::Soup soup = fuzz::choose_soup(data[size - 2]);
   const CodedConnectivity coded = write_connectivity(soup.triangles, soup.vertex_count);
   const std::uint32_t vertex_count = soup.vertex_count + data[size - 1];
   const auto payload = std::as_bytes(std::span(data, size - 2));
@@ -71,5 +63,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const CodedSeams again = write_seams(coded.triangles, soup.vertex_count, split->triangles, lone);
   const auto copy = read_seams(again.payload, coded.triangles, soup.vertex_count, vertex_count);
   if (!copy || copy->triangles != split->triangles || copy->geometric != split->geometric) std::abort();
+  compact_seams.reach();
   return 0;
 }

@@ -12,30 +12,32 @@
 
 #include "attributes/attribute.h"
 #include "attributes/payload.h"
+#include "goal.h"
+#include "meshes.h"
+
+namespace {
+
+using namespace deltamesh;
+
+fuzz::Goal joints_read("joints");
+fuzz::Goal weights_read("weights");
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace deltamesh;
   constexpr std::size_t kShape = 3;
   if (size < kShape) return 0;
   const std::uint8_t* const shape = data + size - kShape;
-  const std::uint32_t vertices = shape[0] % 128U;
-  const std::uint32_t faces = vertices == 0 ? 0 : shape[1];
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t corner = 0; corner < 3 * faces; ++corner)
-    triangles.push_back((corner / 3 + corner % 3 * (1 + faces % 7)) % vertices);
-  std::vector<std::uint32_t> geometric;
-  for (std::uint32_t v = 0; v < vertices && shape[0] >= 128; ++v) geometric.push_back(v / 2);
-  const AttributeSurface surface(triangles, vertices, geometric);
+  const fuzz::SpreadFaces spread(shape[0], shape[1]);
+  const AttributeSurface surface = spread.surface(shape[0] >= 128);
+  const std::uint32_t vertices = spread.vertices;
 
   constexpr ComponentType kTypes[] = {ComponentType::kU8, ComponentType::kU16, ComponentType::kF32};
   const bool is_joints = shape[2] % 2 == 0;
   const AttributeDescriptor descriptor{.kind = is_joints ? AttributeKind::kJoints : AttributeKind::kWeights,
                                        .type = kTypes[shape[2] / 2 % (is_joints ? 2 : 3)],
                                        .components = 4};
-  Attribute joints{.kind = AttributeKind::kJoints, .type = ComponentType::kU8, .components = 4};
-  for (std::uint32_t i = 0; i < 4 * vertices; ++i)
-    joints.values.push_back(static_cast<std::byte>(i / 24 % 5 + i % 4));
-  const std::vector<Attribute> others{joints};
+  const std::vector<Attribute> others{fuzz::skin_joints(vertices)};
 
   const auto coding = is_joints ? AttributeCoding::kJoints : AttributeCoding::kWeights;
   std::vector<std::byte> bytes{static_cast<std::byte>(coding)};
@@ -58,5 +60,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto again =
       read_attribute(Payload::compact(written->payload), written->descriptor, surface, others, 1 << 16);
   if (!again || again->values != written->decoded.values) std::abort();
+  (is_joints ? joints_read : weights_read).reach();
   return 0;
 }

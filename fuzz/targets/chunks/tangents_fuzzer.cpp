@@ -12,18 +12,21 @@
 
 #include "attributes/tangents/tangents.h"
 #include "base/numbers/portable_math.h"
-#include "support/fuzzed_surface.h"
+#include "goal.h"
+#include "meshes.h"
+
+namespace {
+
+using namespace deltamesh;
+
+fuzz::Goal tangents_read("tangents");
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace deltamesh;
   test::FuzzedSurface fuzzed(std::as_bytes(std::span(data, size)));
   const AttributeSurface surface = fuzzed.surface();
-  TangentBasis basis;
-  const unsigned flags = fuzzed.byte();
-  for (std::uint32_t i = 0; (flags & 1) != 0 && i < 3 * surface.vertex_count(); ++i)
-    basis.normals.push_back(fuzzed.number());
-  for (std::uint32_t i = 0; (flags & 2) != 0 && i < 2 * surface.vertex_count(); ++i)
-    basis.uvs.push_back(fuzzed.number());
+  const TangentBasis basis = fuzz::basis_of(fuzzed);
   const auto read = read_surface_tangents(fuzzed.rest(), surface, basis);
   if (!read) {
     if (read.error().code == ErrorCode::kInternal) std::abort();
@@ -42,5 +45,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!(portable_degrees_between(vector_of(*read, i), vector_of(*again, i)) <= bound)) std::abort();
     if ((*read)[i + 3] != (*again)[i + 3] || std::fabs((*read)[i + 3]) != 1) std::abort();
   }
+  tangents_read.reach();
   return 0;
 }

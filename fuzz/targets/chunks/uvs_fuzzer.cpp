@@ -10,10 +10,18 @@
 #include <span>
 
 #include "attributes/uvs/uvs.h"
+#include "goal.h"
 #include "support/fuzzed_surface.h"
 
+namespace {
+
+using namespace deltamesh;
+
+fuzz::Goal uvs_read("texture coordinates");
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace deltamesh;
   const test::FuzzedSurface fuzzed(std::as_bytes(std::span(data, size)));
   const AttributeSurface surface = fuzzed.surface();
   const auto read = read_surface_uvs(fuzzed.rest(), surface);
@@ -40,5 +48,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const double v = static_cast<double>((*again)[i + 1]) - static_cast<double>((*read)[i + 1]);
     if (!(std::sqrt(u * u + v * v) <= bound)) std::abort();
   }
+  uvs_read.reach();
   return 0;
 }

@@ -8,9 +8,17 @@
 #include <span>
 
 #include "deltamesh/gltf.h"
+#include "goal.h"
+
+namespace {
+
+using namespace deltamesh;
+
+fuzz::Goal unpacked("an asset");
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace deltamesh;
   const DecodeOptions options{
       .limits = {.vertices = 1U << 14, .triangles = 1U << 15, .attribute_bytes = 1U << 20}, .progress = {}};
   const auto plain = unpack_gltf(std::as_bytes(std::span(data, size)), options);
@@ -20,5 +28,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto again = unpack_gltf(plain->asset, options);
   if (!again || again->report.converted != 0) std::abort();
+  unpacked.reach();
   return 0;
 }

@@ -10,10 +10,14 @@
 
 #include "deltamesh/map/folder.h"
 #include "deltamesh/map/map_codec.h"
+#include "goal.h"
 
 namespace {
 
 using namespace deltamesh;
+
+fuzz::Goal map_opened("a map's message");
+fuzz::Goal manifest_read("a manifest");
 
 void check(const Error& error) {
   if (error.code == ErrorCode::kInternal) std::abort();
@@ -33,11 +37,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     expect_same(bytes, write_description(*description));
     const auto codec = MapCodec::open(*description, {.vertices = 1U << 14, .triangles = 1U << 15});
     if (!codec) check(codec.error());
+    if (codec) map_opened.reach();
   } else {
     check(description.error());
   }
   const auto manifest = read_manifest(bytes);
   if (!manifest) check(manifest.error());
   if (manifest && !write_manifest(*manifest)) std::abort();
+  if (manifest) manifest_read.reach();
   return 0;
 }

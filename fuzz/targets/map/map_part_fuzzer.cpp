@@ -8,9 +8,16 @@
 #include <cstdlib>
 #include <span>
 
+#include "goal.h"
 #include "map_part_codec.h"
 
+namespace {
+
 using namespace deltamesh;
+
+fuzz::Goal part_decoded("a part");
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const MapCodec codec = fuzz::make_codec();
@@ -28,5 +35,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (v >= part->mesh.vertex_count()) std::abort();
   for (const BorderVertex& border : part->border)
     if (border.vertex >= part->mesh.vertex_count()) std::abort();
+  part_decoded.reach();
   return 0;
 }

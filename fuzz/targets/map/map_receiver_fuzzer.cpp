@@ -10,11 +10,15 @@
 
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
+#include "goal.h"
 #include "map/map_world.h"
 
 namespace {
 
 using namespace deltamesh;
+
+fuzz::Goal talked("a viewer's message, which the sender answers");
+fuzz::Goal was_shown("messages after which a part is shown");
 
 void check(const Result<void>& result) {
   if (!result && result.error().code == ErrorCode::kInternal) std::abort();
@@ -59,6 +63,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const auto& answer : *messages) check(receiver.apply(answer));
     }
     check_shown(receiver);
+    talked.reach();
   }
+  if (!receiver.shown().empty()) was_shown.reach();
   return 0;
 }
