@@ -74,7 +74,7 @@ class Bracket {
   static constexpr double kEdge = 0.04;     ///< share of the bracket that no trial comes nearer to its ends
   static constexpr double kNarrowest = 0.0015;  ///< octaves
   static constexpr int kStuck = 3;              ///< trials on one side, after which the bracket is halved
-  static constexpr double kStretch = 0.0625;  ///< octaves; twice as much a move is at least after a short one
+  static constexpr double kStretch = 0.25;      ///< octaves that a move is at least after kStuck short ones
 
   double best_end() const noexcept { return plan_.slope > 0 ? plan_.most : plan_.least; }
   double safe_end() const noexcept { return plan_.slope > 0 ? plan_.least : plan_.most; }
@@ -96,8 +96,8 @@ class Bracket {
     // Forecasts that fall short again and again: a floor, or hardly anything left that depends on the
     // setting. Then least moves double.
     if (!good_.known || !bad_.known) {
-      if (fell_short_ == 0) return now.at + move;
-      const double least = std::min(kStretch * portable_exp2(fell_short_), kStride);
+      if (fell_short_ < kStuck) return now.at + move;
+      const double least = std::min(kStretch * portable_exp2(fell_short_ - kStuck), kStride);
       return now.at + std::copysign(std::max(std::abs(move), least), move);
     }
     if (same_side_ >= kStuck || !std::isfinite(now.excess)) return (good_.at + bad_.at) / 2;
