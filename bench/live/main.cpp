@@ -25,6 +25,8 @@ namespace {
 
 struct Settings {
   std::vector<std::string> folders;
+  std::string wholes;
+  double voxel = 0.02;  ///< of the wholes, metres
   std::uint64_t vertices = 60'000;
   std::uint32_t steps = 150;
   std::vector<double> losses = {0.02, 0.05, 0.1};
@@ -198,6 +200,10 @@ int run(const Settings& settings) {
   for (const std::string& folder : settings.folders)
     is_met &= run_updates(value_or_exit(read_updates(folder, folder.substr(folder.find_last_of('/') + 1))),
                           settings, over_time);
+  constexpr int kBlockVoxels = 16;
+  if (!settings.wholes.empty())
+    is_met &= run_updates(value_or_exit(cut_wholes(settings.wholes, "wholes", settings.voxel, kBlockVoxels)),
+                          settings, over_time);
   if (settings.steps > 0)
     is_met &=
         run_updates(value_or_exit(drive_updates(settings.vertices, settings.steps)), settings, over_time);
@@ -213,6 +219,9 @@ int main(int argc, char** argv) {
   Settings settings;
   CLI::App app("Freezes and bytes of a map over links that lose messages, in simulated time.");
   app.add_option("--sequence", settings.folders, "Folders with sequence.json");
+  app.add_option("--wholes", settings.wholes,
+                 "Folder of whole maps step_00.ply and so on, cut into blocks of 16 voxels");
+  app.add_option("--voxel", settings.voxel, "Of the whole maps, metres")->capture_default_str();
   app.add_option("--vertices", settings.vertices, "Of the generated drive")->capture_default_str();
   app.add_option("--steps", settings.steps, "Of the generated drive; 0: none")->capture_default_str();
   app.add_option("--loss", settings.losses, "Shares of messages")->delimiter(',')->capture_default_str();
