@@ -53,8 +53,8 @@ std::optional<Before> load_before(const Splitting& splitting, int& status) {
   if (before.bounds.bounds.empty() && !manifest->entries.empty() && !says_all) {
     print_error(
         folder,
-        "the file bounds.json is missing, so nothing tells which bounds this map keeps; ask for those of "
-        "positions and of attributes");
+        "no file bounds.json tells which bounds this map keeps: ask for those of positions, and for those of "
+        "attributes where it has any");
     status = kBadInput;
     return std::nullopt;
   }
@@ -184,9 +184,8 @@ void add_map_split(CLI::App& map, int& status) {
       "Percentages count in the diagonal of the whole mesh when they are first asked for, and stay what they "
       "were then, however the map grows. Where DIR holds a map, other bounds on positions than those asked "
       "before replace them, all of them; without any, those are kept. The same holds of bounds on "
-      "attributes, of the map's number and frame, its levels and how large parts are; another number, frame "
-      "or edge of "
-      "parts makes all parts anew. "
+      "attributes, of the map's number and frame, of --levels and --part-triangles; another number, frame or "
+      "--part-edge makes all parts anew. "
       "Parts that stay as they are keep their files; those whose file is missing or damaged are written "
       "again.\n\n"
       "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"

@@ -154,8 +154,12 @@ int run_finish(const std::string& folder) {
   const auto manifest = merge_tiles(tiles);
   if (!manifest) return fail(folder, manifest.error());
   const QualityRequest& bounds = plan->plan.quality.bounds;
+  MapBounds before;
+  if (!load_bounds(folder, before, status)) return status;
   auto saved = save_map(folder, *manifest, {});
-  if (saved) saved = save_bounds(folder, {.asked = bounds, .bounds = bounds, .attributes = plan->asked});
+  if (saved)
+    saved = save_bounds(
+        folder, {.asked = bounds, .bounds = bounds, .attributes = plan->asked, .parts = before.parts});
   if (!saved) return fail(folder, saved.error());
   delete_unfinished(folder);
   print_map(folder, *manifest);

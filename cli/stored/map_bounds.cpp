@@ -42,7 +42,7 @@ bool load_bounds(const std::string& folder, MapBounds& bounds, int& status) {
 }
 
 Result<void> save_bounds(const std::string& folder, const MapBounds& bounds) {
-  if (bounds.asked.empty() && bounds.bounds.empty() && !bounds.attributes) {
+  if (bounds.asked.empty() && bounds.bounds.empty() && !bounds.attributes && !bounds.parts) {
     std::error_code ignored;
     std::filesystem::remove(path_in(folder), ignored);  // of a map that was deleted
     return {};

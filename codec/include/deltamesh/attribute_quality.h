@@ -41,7 +41,7 @@ struct AttributeQuality {
   std::optional<double> color_rms = std::nullopt;
   double weight_error = 1.0 / 1024;    ///< largest difference of a skinning weight; sums of 1 stay 1
   std::vector<NamedBound> named = {};  ///< of generic attributes; the first that fits holds
-  /// Whether they hold within `target_bytes`, too: else they are shares there, and errors grow with those of
+  /// Whether they hold within `target_bytes`, too: else all are scaled there together with the errors of
   /// positions.
   bool is_asked = false;
 };

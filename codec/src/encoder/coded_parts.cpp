@@ -77,6 +77,7 @@ class SharedBudget {
 
   Result<CodedParts> run() {
     DELTAMESH_CHECK(scale_all());
+    if (!best_ && task_.options.attributes.is_asked) return too_few_bytes_for_bounds(fewest_);
     if (!best_) return too_few_bytes(fewest_);
     if (is_exact_) return std::move(best_->coded);
     if (excess(*best_) < kFull) DELTAMESH_CHECK(refine_attributes());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 #include "measure/face_matching.h"
 
@@ -158,6 +159,18 @@ Correspondence by_faces(const MeshView& mesh_a, const MeshView& mesh_b, const At
   return found;
 }
 
+/// Whether faces hardly have vertices in common, so that numbers do not tell which is which.
+bool share_no_vertices(const MeshView& mesh) {
+  constexpr double kMost = 0.9;  // of the corners have a vertex of their own
+  std::vector<bool> used(mesh.vertex_count());
+  std::size_t count = 0;
+  for (const std::uint32_t v : mesh.triangles) {
+    count += used[v] ? 0 : 1;
+    used[v] = true;
+  }
+  return static_cast<double>(count) >= kMost * static_cast<double>(mesh.triangles.size());
+}
+
 /// Of the places of two meshes, relative to A's origin.
 class Places {
  public:
@@ -165,17 +178,21 @@ class Places {
 
   double apart(const VertexPair& pair) const { return length(at(b_, pair.b) + apart_ - at(a_, pair.a)); }
 
-  /// Whether no corner of a face is far from the vertex of the same number.
+  /// Whether no vertex is far from that of the same number; of points, whether none is elsewhere.
   bool are_near() const {
+    if (a_.triangles.empty()) {
+      for (std::uint32_t v = 0; v < a_.vertex_count(); ++v)
+        if (apart({.a = v, .b = v}) > 0) return false;
+    }
     for (std::size_t c = 0; c + 2 < a_.triangles.size(); c += 3) {
+      const std::uint32_t* const t = &a_.triangles[c];
       double longest = 0;
       for (std::size_t k = 0; k < 3; ++k)
-        longest =
-            std::max(longest, length(at(a_, a_.triangles[c + k]) - at(a_, a_.triangles[c + (k + 1) % 3])));
+        longest = std::max(longest, length(at(a_, t[k]) - at(a_, t[(k + 1) % 3])));
       for (std::size_t k = 0; k < 3; ++k)
-        if (apart({.a = a_.triangles[c + k], .b = a_.triangles[c + k]}) > kCredible * longest) return false;
+        if (apart({.a = t[k], .b = t[k]}) > kCredible * longest) return false;
     }
-    return !a_.triangles.empty();
+    return true;
   }
 
   double mean_square(const std::vector<VertexPair>& pairs) const {
@@ -204,13 +221,12 @@ Correspondence correspondence_of(const MeshView& a, const MeshView& b, std::span
     std::iota(identity.begin(), identity.end(), 0U);
     Correspondence found = by_order(a, b, identity);
     const Places places(a, b);
-    if (found.whole && places.are_near()) return found;
-    // Numbers tell nothing of faces that have no vertex in common.
+    if (found.whole && (!share_no_vertices(a) || places.are_near())) return found;
     constexpr double kClear = 0.25;
     Correspondence matched = by_faces(a, b, attributes);
-    const bool is_clear = !found.whole || (matched.whole && places.mean_square(matched.pairs) <
-                                                                kClear * places.mean_square(found.pairs));
-    return is_clear ? matched : found;
+    const bool is_clear =
+        matched.whole && places.mean_square(matched.pairs) < kClear * places.mean_square(found.pairs);
+    return found.whole && !is_clear ? std::move(found) : std::move(matched);
   }
   return by_faces(a, b, attributes);
 }

@@ -53,7 +53,8 @@ class Bracket {
     learn_slope(now);
     const bool is_same_side = last_.known && (last_.excess <= 0) == keeps;
     same_side_ = is_same_side ? same_side_ + 1 : 1;
-    fell_short_ = is_same_side && std::abs(now.at - last_.at) < 0.9 * kStride ? fell_short_ + 1 : 0;
+    const bool is_short = std::abs(now.at - last_.at) < 0.9 * kStride || fell_short_ > kStuck;
+    fell_short_ = is_same_side && is_short ? fell_short_ + 1 : 0;
     last_ = now;
     (keeps ? good_ : bad_) = now;
     done_ = keeps ? excess >= plan_.tolerance || is_at(best_end()) || trials_ >= plan_.trials
@@ -134,7 +135,7 @@ class Bracket {
   bool done_ = false;
   int trials_ = 0;
   int same_side_ = 0;
-  int fell_short_ = 0;  ///< moves without a bracket, one after another
+  int fell_short_ = 0;  ///< short moves one after another that stayed on one side
   double kept_ = 0;
   bool has_kept_ = false;
   Point last_;

@@ -177,8 +177,8 @@ class BudgetSearch {
   /// Every bit may take no more than what fits: the source's own lattice is hardly finer, or floats are not.
   bool may_fit_exactly() const {
     const auto own = trials_.exact_lattice();
-    const double finest =
-        own ? *std::max_element(own->step.begin(), own->step.end()) : trials_.step_for_bits(kBitsOfFloats);
+    double finest = trials_.step_for_bits(kBitsOfFloats);
+    if (own) finest = std::max(finest, *std::max_element(own->step.begin(), own->step.end()));
     const auto& steps = best_->predictive.lattice.step;
     return *std::max_element(steps.begin(), steps.end()) < 2 * finest;
   }

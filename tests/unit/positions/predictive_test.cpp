@@ -427,7 +427,8 @@ TEST(Predictive, BytesToSpareBuyEveryBit) {
   const Mesh terrain = *generate_scene(Scene::kTerrain, 3000, 3);
   Mesh of_few_decimals = terrain;
   for (float& x : of_few_decimals.positions) x = std::round(x * 10) / 10;
-  for (const Mesh& mesh : {rooms, terrain, of_few_decimals}) {
+  const Mesh sphere = *generate_scene(Scene::kSphere, 300, 1);
+  for (const Mesh& mesh : {rooms, terrain, of_few_decimals, sphere}) {
     const auto exact = encode(mesh, {.geometry = GeometryCoder::kPredictive, .lossless = true});
     ASSERT_TRUE(exact);
     EncodeOptions options{.geometry = GeometryCoder::kPredictive};

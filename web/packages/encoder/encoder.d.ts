@@ -41,7 +41,7 @@ export interface EncodeOptions {
   vde?: Bound;
   lfe?: Bound;
   maxError?: Bound;
-  /** The whole stream has no more bytes. Bounds of attributes that are given hold; without any, all errors grow together. */
+  /** The whole stream has no more bytes. Where any bound of attributes is given, all hold, the defaults too; without any, all errors grow together. */
   targetBytes?: number;
   geometry?: 'auto' | 'highpass' | 'predictive';
   lossless?: boolean;

@@ -113,7 +113,7 @@ export function fromHash(hash) {
 /** EncodeOptions of @deltamesh/encoder. */
 export function encodeOptions(settings) {
   const share = (value) => (value === null ? undefined : { value, unit: 'diagonal' });
-  // Of attributes: within a size, what nobody asked for grows with the errors of positions.
+  // Of attributes: within a size, their errors grow with those of positions, unless some are asked for.
   const asked = (key) => (settings.size !== null && settings[key] === DEFAULTS[key] ? undefined : settings[key]);
   const colors = asked('colors') ?? null;
   return {
