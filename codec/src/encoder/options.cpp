@@ -5,6 +5,7 @@
 
 #include "base/try.h"
 #include "deltamesh/encode.h"
+#include "format/highpass_parameters.h"
 #include "search/request.h"
 
 namespace deltamesh {

@@ -100,7 +100,7 @@ Result<bool> SourceMap::make_copies(std::span<const PartKey> cells, std::uint64_
 /// The lowest level whose copies take few bytes beside the map: a copy has about a quarter of the triangles
 /// below it, each with four times the bytes, and all vertices of its border. Chosen again as the map grows.
 void SourceMap::choose_first_sight() {
-  constexpr double kPays = 0.1;
+  constexpr double kPays = 0.08;
   constexpr double kTriangle = 4;      // bytes, of a triangle's of a part
   constexpr double kBorderVertex = 4;  // so too
   constexpr double kGrown = 1.25;
