@@ -9,7 +9,7 @@
 namespace deltamesh {
 
 /// `quality` with every bound `scale` times as large, at most to where an attribute would mean nothing any
-/// more, and not above what is asked. What is exact stays so. `scale`: above 0.
+/// more, or no larger than asked (is_asked). What is exact stays so. `scale`: above 0.
 AttributeQuality scaled(const AttributeQuality& quality, double scale);
 
 }  // namespace deltamesh

@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Of an edge, that a vertex may have moved by: less cannot be chance where neighbours meet neighbours.
+/// A vertex that moved by less than this share of an edge is the same one by more than chance.
 constexpr double kCredible = 0.25;
 
 /// The smallest of the three rotations; equal for two triangles exactly when one is a rotation of the other.
@@ -161,7 +161,7 @@ Correspondence by_faces(const MeshView& mesh_a, const MeshView& mesh_b, const At
 
 /// Whether faces hardly have vertices in common, so that numbers do not tell which is which.
 bool share_no_vertices(const MeshView& mesh) {
-  constexpr double kMost = 0.9;  // of the corners have a vertex of their own
+  constexpr double kMost = 0.9;  // vertices in use for each corner of a face
   std::vector<bool> used(mesh.vertex_count());
   std::size_t count = 0;
   for (const std::uint32_t v : mesh.triangles) {

@@ -26,9 +26,9 @@ constexpr std::size_t kOneInNoCube = 100;
 /// Loads of 0.9995 and 0.997.
 constexpr double kLatticeAim = -0.0007;
 constexpr double kLatticeTight = -0.0043;
-/// Of a budget, that may be left: 1 %.
+/// One byte in so many of a budget may be left.
 constexpr std::uint64_t kOneLeft = 100;
-/// Coordinates that a cubic lattice of so many bits tells apart are nearly as large as floats.
+/// On a cubic lattice of so many bits along the longest side positions take nearly as many bytes as floats.
 constexpr int kBitsOfFloats = 17;
 
 /// Whether an axis has a grid, and grid_lattice() at `step` or a little above would take it.
@@ -43,7 +43,7 @@ double largest_side(const VoxelFit& fit) noexcept {
 /// Heights over a grid have a lattice of their own. But a part of a map on a given grid may be a floor.
 bool may_be_heights(const VoxelFit& fit) noexcept { return fit.is_along_one_axis && !fit.is_given; }
 
-/// Mostly: then the grid coder takes less than any lattice.
+/// Whether most of the mesh is: then the grid coder takes less than any lattice.
 bool is_of_cubes(const VoxelFit& fit) noexcept {
   constexpr double kMost = 0.5;  // of the vertices on edges, of the faces in cubes
   return !may_be_heights(fit) && std::min(fit.share, fit.in_cubes) > kMost;
@@ -174,7 +174,7 @@ class BudgetSearch {
     return excess(bytes);
   }
 
-  /// Every bit may take no more than what fits: the source's own lattice is hardly finer, or floats are not.
+  /// Whether exact positions may be as small as what fits, which is nearly as fine as they are.
   bool may_fit_exactly() const {
     const auto own = trials_.exact_lattice();
     double finest = trials_.step_for_bits(kBitsOfFloats);
