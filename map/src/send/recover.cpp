@@ -25,8 +25,9 @@ bool waits_for_earlier(const Believed& believed, const PartKey& key, const Deliv
 /// Takes back messages about a part, the last ones: as if they had not been sent.
 void take_back(Viewer& viewer, const PartKey& key, Numbers numbers) {
   const std::optional<Believed> before = viewer.delivery.at(numbers.front()).before;
+  std::optional<double>& lost_since = viewer.sent[key].lost_since;
+  if (!lost_since) lost_since = viewer.delivery.at(numbers.front()).since;
   for (const std::uint64_t number : numbers) viewer.delivery.forget(number);
-  viewer.sent[key].was_lost = true;
   if (!before) {
     viewer.has.erase(key);
     return;
@@ -98,7 +99,7 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
 void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages) {
   const std::vector<std::uint64_t> lost = viewer.delivery.take_lost(now);
   if (const auto probe = viewer.delivery.probe(now); lost.empty() && probe && viewer.allowance.may_spend())
-    viewer.post(viewer.delivery.send_again(*probe, now).bytes, false, messages);
+    viewer.post(viewer.delivery.send_again(*probe, now), messages);
   if (lost.empty()) return;
   std::map<PartKey, std::vector<std::uint64_t>> sent;
   for (const auto& [number, message] : viewer.delivery.on_the_way()) sent[message.key].push_back(number);
@@ -121,7 +122,7 @@ void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& me
     if (!viewer.allowance.may_spend()) break;
     const SentMessage& message = viewer.delivery.send_again(number, now);
     if (message.key != kPoseKey) viewer.sent[message.key].time = now;
-    viewer.post(message.bytes, true, messages);
+    viewer.post(message, messages);
   }
 }
 

@@ -29,10 +29,16 @@ void MapSender::State::forget_versions(std::size_t parts) {
   look_at_next = next == known.end() ? PartKey{} : next->first;
 }
 
+/// Or may have again, where messages are lost that are on the way.
 bool MapSender::State::has_viewer(const PartKey& key, std::uint32_t version) const {
-  return std::ranges::any_of(viewers, [&](const auto& viewer) {
-    const auto has = viewer.second.has.find(key);
-    return has != viewer.second.has.end() && has->second.version == version;
+  return std::ranges::any_of(viewers, [&](const auto& entry) {
+    const Viewer& viewer = entry.second;
+    const auto has = viewer.has.find(key);
+    return (has != viewer.has.end() && has->second.version == version) ||
+           std::ranges::any_of(viewer.delivery.on_the_way(), [&](const auto& sent) {
+             const auto& [number, message] = sent;
+             return message.key == key && message.before && message.before->version == version;
+           });
   });
 }
 
@@ -73,10 +79,10 @@ Result<void> MapSender::State::make_newest(const PartKey& key, ChosenVersion cho
                      .number = number,
                      .base = chosen.is_patch ? encoding->base_key : key};
   const bool is_whole = !is_the_same && !chosen.is_patch;
-  const bool replaces_lost = std::exchange(viewer.sent[key].was_lost, false);
+  const std::optional<double> since = std::exchange(viewer.sent[key].lost_since, std::nullopt);
   const auto add = [&](Result<std::vector<std::byte>> message) -> Result<void> {
     if (!message) return message.error();
-    viewer.delivery.add({key, *std::move(message), before, is_whole, replaces_lost});
+    viewer.delivery.add({key, *std::move(message), before, is_whole, since});
     return {};
   };
   if (is_the_same) {
@@ -151,7 +157,7 @@ Result<void> MapSender::State::make_removal(const PartKey& key, const SendPlan& 
                              .number = number,
                              .entry = {.key = key, .revision = revision, .links = std::move(links)}}));
   viewer.delivery.add(
-      {key, std::move(message), before, false, std::exchange(viewer.sent[key].was_lost, false)});
+      {key, std::move(message), before, false, std::exchange(viewer.sent[key].lost_since, std::nullopt)});
   return {};
 }
 

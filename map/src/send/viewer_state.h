@@ -42,9 +42,9 @@ struct SentPart {
   std::uint64_t first = 0;     ///< of the first one; 0: the receiver may have something older
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
-  bool was_lost = false;            ///< that message
-  bool is_everywhere = false;       ///< told of by the receiver, and unknown
-  std::optional<PartBox> extent{};  ///< of all versions that were sent
+  std::optional<double> lost_since{};  ///< when the first one was sent of those that are lost, seconds
+  bool is_everywhere = false;          ///< told of by the receiver, and unknown
+  std::optional<PartBox> extent{};     ///< of all versions that were sent
 
   void add(const PartBox& version) noexcept {
     if (!extent) extent = version;
@@ -79,12 +79,15 @@ struct Viewer {
   double describe_next = 0;                  ///< when the map's message may be sent, seconds
   double describe_wait = kDescribeWait;      ///< from then to the next time; twice as long each time
 
-  /// Adds a message; one that replaces a lost one twice where there is no time to lose another.
-  void post(const std::vector<std::byte>& message, bool replaces_lost,
-            std::vector<std::vector<std::byte>>& messages) {
-    for (int copies = replaces_lost && delivery.is_slow() ? 2 : 1; copies > 0; --copies) {
-      allowance.spend(message.size());
-      messages.push_back(message);
+  /// Adds a message that was just sent. Where losing it once more would make it late, what replaces lost ones
+  /// goes again, up to four times: the later, the more often.
+  void post(const SentMessage& message, std::vector<std::vector<std::byte>>& messages) {
+    constexpr double kLate = 0.25;  // seconds
+    const double late = (message.time - message.since.value_or(message.time)) / kLate;
+    const int copies = delivery.is_slow() ? std::clamp(1 + static_cast<int>(late), 1, 4) : 1;
+    for (int i = 0; i < copies; ++i) {
+      allowance.spend(message.bytes.size());
+      messages.push_back(message.bytes);
     }
   }
 
@@ -96,10 +99,7 @@ struct Viewer {
 
   /// Sends of what is made as much as may be sent now.
   void send_made(double now, std::vector<std::vector<std::byte>>& messages) {
-    while (delivery.has_unsent() && allowance.may_spend()) {
-      const SentMessage& message = delivery.send_next(now);
-      post(message.bytes, message.replaces_lost, messages);
-    }
+    while (delivery.has_unsent() && allowance.may_spend()) post(delivery.send_next(now), messages);
   }
 
   /// What was sent by then and still waits is not waited for any longer.

@@ -146,6 +146,48 @@ TEST_F(MapLoss, MAP21APatchWaitsForItsBase) {
   EXPECT_TRUE(exchange().empty());
 }
 
+TEST_F(MapLoss, MAP21WhatTakesThePlaceOfALostPatchIsAPatchOfWhatTheReceiverHas) {
+  set(0, 0.5F);
+  const Messages lost = ask();
+  ASSERT_EQ(lost.size(), 1U);
+  ASSERT_TRUE(read_patch(lost.front()));
+  set(4, 0.5F);
+  apply(ask());
+  set(0, 0.75F);
+  for (const Bytes& message : said()) ASSERT_TRUE(sender_->hear(message, now_));
+  const Messages again = ask();
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_TRUE(read_patch(again.front()));
+  apply(again);
+  EXPECT_TRUE(shows(0, 0.75F));
+}
+
+TEST_F(MapLoss, MAP21TheLaterWhatIsLostComesTheMoreOftenItIsSentWhereALinkIsSlow) {
+  constexpr double kWay = 0.15;  // seconds
+  float height = 0.25F;
+  const auto answer_to_the_other = [&] {  // a change that arrives, and what the reply to it is answered with
+    height = 0.75F - height;
+    set(4, height);
+    const Messages other = ask();
+    now_ += kWay;
+    apply(other);
+    const Messages replies = said();
+    now_ += kWay;
+    for (const Bytes& message : replies) EXPECT_TRUE(sender_->hear(message, now_));
+    return ask();
+  };
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(answer_to_the_other().empty());
+  set(0, 0.5F);
+  ASSERT_EQ(ask().size(), 1U);  // lost
+  const Messages again = answer_to_the_other();
+  ASSERT_EQ(again.size(), 2U);  // lost as well
+  EXPECT_EQ(again.front(), again.back());
+  const Messages later = answer_to_the_other();
+  EXPECT_EQ(later.size(), 3U);
+  apply(later);
+  EXPECT_TRUE(shows(0, 0.5F));
+}
+
 TEST_F(MapLoss, MAP21TheLastMessageIsSentAgainWhenAReplyIsOverdue) {
   set(0, 0.5F);
   ASSERT_EQ(ask().size(), 1U);  // lost, and nothing follows

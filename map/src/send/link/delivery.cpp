@@ -43,6 +43,7 @@ const SentMessage& Delivery::send_next(double now) {
 void Delivery::note_sent(std::uint64_t number, SentMessage& message, double now) {
   sent_ = std::max(sent_, number);
   if (message.times == 0) sent_at_ = now;
+  if (!message.since) message.since = now;
   message.after = sent_;
   message.time = now;
   ++message.times;

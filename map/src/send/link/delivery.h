@@ -24,12 +24,13 @@ struct SentMessage {
   std::vector<std::byte> bytes{};
   std::optional<Believed> before{};  ///< what the receiver was believed to have of the part
   bool is_whole = false;             ///< of use without earlier messages about the part
-  bool replaces_lost = false;        ///< a message that was lost
-  bool is_superseded = false;        ///< a later message about the part is whole
-  double time = 0;                   ///< when it was sent last, seconds
-  double flight = 0;                 ///< bytes on the way then, with its own
-  std::uint64_t after = 0;           ///< the highest number that was sent by then
-  unsigned times = 0;                ///< how often it was sent
+  /// When it was sent first, or the first one of those that it replaces, seconds; empty: not yet.
+  std::optional<double> since{};
+  bool is_superseded = false;  ///< a later message about the part is whole
+  double time = 0;             ///< when it was sent last, seconds
+  double flight = 0;           ///< bytes on the way then, with its own
+  std::uint64_t after = 0;     ///< the highest number that was sent by then
+  unsigned times = 0;          ///< how often it was sent
 };
 
 class Delivery {
