@@ -70,7 +70,7 @@ class Delivery {
 
   /// Seconds after which a message without a reply is taken to be lost (RFC 6298).
   double timeout() const noexcept;
-  /// Whether a message that is lost once more would be late, and there is room to send it twice.
+  /// Whether a message that is lost once more would be late, and there is room to send it more than once.
   bool is_slow() const noexcept {
     return round_trip_ && congestion_.least_round_trip() > kSlow && overdue_ <= 1 &&
            flight_ < congestion_.limit() / 4;
