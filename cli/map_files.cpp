@@ -55,6 +55,15 @@ ExitCode fail_part(const std::string& folder, const PartEntry& entry, const Erro
 
 }  // namespace
 
+void AskedName::set_in(MapSettings& settings, const MapDescription* before) const {
+  if (before != nullptr) {
+    settings.id = before->id;
+    settings.frame = before->frame;
+  }
+  settings.id = id.value_or(settings.id);
+  settings.frame = frame.value_or(settings.frame);
+}
+
 bool is_map(const std::string& folder) {
   std::error_code ignored;
   return std::filesystem::exists(std::filesystem::path(folder) / "map.dmm", ignored);

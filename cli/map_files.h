@@ -11,6 +11,15 @@
 
 namespace deltamesh::cli {
 
+/// Which map a command makes. What is not said is as the map that is there has it.
+struct AskedName {
+  std::optional<std::uint64_t> id{};
+  std::optional<std::string> frame{};
+
+  /// `before`: null where no map is there, which gets the usual ones.
+  void set_in(MapSettings& settings, const MapDescription* before) const;
+};
+
 /// Whether the folder has a manifest.
 bool is_map(const std::string& folder);
 

@@ -26,9 +26,7 @@ struct Splitting {
   std::string in;
   std::string folder;
   MapSettings settings;
-  /// Where nothing is said, as the map has it.
-  std::optional<std::uint64_t> id;
-  std::optional<std::string> frame;
+  AskedName name;
   std::optional<std::uint32_t> most_triangles;
   std::optional<std::uint8_t> levels;
   FileOptions files;
@@ -47,17 +45,9 @@ std::optional<Before> load_before(const Splitting& splitting, int& status) {
   Before before;
   if (!is_map(folder)) return before;
   auto manifest = load_manifest(folder, status);
-  if (!manifest || !load_bounds(folder, before.bounds, status)) return std::nullopt;
-  const bool says_all = !splitting.settings.quality.bounds.empty() &&
-                        (splitting.asks_of_attributes || manifest->description.attributes.empty());
-  if (before.bounds.bounds.empty() && !manifest->entries.empty() && !says_all) {
-    print_error(
-        folder,
-        "no file bounds.json tells which bounds this map keeps: ask for those of positions, and for those of "
-        "attributes where it has any");
-    status = kBadInput;
-    return std::nullopt;
-  }
+  const AskedBounds asked{.of_positions = !splitting.settings.quality.bounds.empty(),
+                          .of_attributes = splitting.asks_of_attributes};
+  if (!manifest || !load_bounds(folder, *manifest, asked, before.bounds, status)) return std::nullopt;
   before.state.emplace(MapState{
       .manifest = *std::move(manifest), .asked = before.bounds.asked, .bounds = before.bounds.bounds});
   return before;
@@ -68,12 +58,7 @@ MapSettings settings_for(const Splitting& splitting, const Before& before) {
   const MapParts parts = before.bounds.parts.value_or(MapParts{});
   settings.most_triangles = splitting.most_triangles.value_or(parts.most_triangles);
   settings.levels = splitting.levels.value_or(parts.levels);
-  if (before.state) {
-    settings.id = before.state->manifest.description.id;
-    settings.frame = before.state->manifest.description.frame;
-  }
-  if (splitting.id) settings.id = *splitting.id;
-  if (splitting.frame) settings.frame = *splitting.frame;
+  splitting.name.set_in(settings, before.state ? &before.state->manifest.description : nullptr);
   return settings;
 }
 
@@ -170,12 +155,12 @@ void add_map_split(CLI::App& map, int& status) {
           "--levels", splitting->levels,
           "coarser levels above the largest parts, each of cells of twice the edge; with any there are "
           "coarser copies of smaller parts, too")
-      ->check(CLI::Range(0, 21))
+      ->check(CLI::Range(0, int{kMostLevels}))
       ->default_str("0");
-  command->add_option("--map-id", splitting->id, "which map")
+  command->add_option("--map-id", splitting->name.id, "which map")
       ->check(refuse_negative)
       ->default_str(std::to_string(splitting->settings.id));
-  command->add_option("--frame", splitting->frame, "name of the coordinate frame")
+  command->add_option("--frame", splitting->name.frame, "name of the coordinate frame")
       ->default_str(splitting->settings.frame);
   add_file_options(*command, splitting->files, true);
   add_part_quality(*command, splitting->settings.quality);

@@ -155,7 +155,8 @@ int run_finish(const std::string& folder) {
   if (!manifest) return fail(folder, manifest.error());
   const QualityRequest& bounds = plan->plan.quality.bounds;
   MapBounds before;
-  if (!load_bounds(folder, before, status)) return status;
+  if (!load_bounds(folder, *manifest, {.of_positions = true, .of_attributes = true}, before, status))
+    return status;
   auto saved = save_map(folder, *manifest, {});
   if (saved)
     saved = save_bounds(

@@ -31,9 +31,7 @@ struct Planning {
   std::string folder;
   std::vector<std::string> files;
   MapSettings settings;
-  /// Where nothing is said, as the map has it.
-  std::optional<std::uint64_t> id;
-  std::optional<std::string> frame;
+  AskedName name;
   std::uint64_t tile_triangles = 2'000'000;
   FileOptions options;
   bool asks_of_attributes = false;
@@ -118,15 +116,11 @@ int run_plan(const Planning& planning) {
   std::optional<MapManifest> map;
   if (is_map(planning.folder)) {
     map = load_manifest(planning.folder, status);
-    if (!map || !load_bounds(planning.folder, before, status)) return status;
+    const AskedBounds asked{.of_positions = true, .of_attributes = planning.asks_of_attributes};
+    if (!map || !load_bounds(planning.folder, *map, asked, before, status)) return status;
   }
   MapSettings settings = planning.settings;
-  if (map) {
-    settings.id = map->description.id;
-    settings.frame = map->description.frame;
-  }
-  if (planning.id) settings.id = *planning.id;
-  if (planning.frame) settings.frame = *planning.frame;
+  planning.name.set_in(settings, map ? &map->description : nullptr);
   if (planning.asks_of_attributes) before.attributes = settings.quality.attributes;
   if (before.attributes) settings.quality.attributes = *before.attributes;
   auto planner = TilePlanner::make(settings, planning.tile_triangles);
@@ -178,11 +172,11 @@ void add_tiles_plan(CLI::App& tiles, int& status) {
                    "of a tile at the most, where parts allow; each takes about 300 bytes of memory")
       ->check(refuse_negative)
       ->capture_default_str();
-  command->add_option("--map-id", planning->id, "which map; where DIR holds one, its number")
+  command->add_option("--map-id", planning->name.id, "which map; where DIR holds one, its number")
       ->check(refuse_negative)
       ->default_str(std::to_string(planning->settings.id));
   command
-      ->add_option("--frame", planning->frame,
+      ->add_option("--frame", planning->name.frame,
                    "name of the coordinate frame; where DIR holds a map, its frame")
       ->default_str(planning->settings.frame);
   add_part_quality(*command, planning->settings.quality);

@@ -15,29 +15,40 @@
 namespace deltamesh::cli {
 namespace {
 
-constexpr std::uint8_t kMostLevels = 21;
-
 std::string path_in(const std::string& folder) {
   return (std::filesystem::path(folder) / "bounds.json").string();
 }
 
 }  // namespace
 
-bool load_bounds(const std::string& folder, MapBounds& bounds, int& status) {
+bool load_bounds(const std::string& folder, const MapManifest& manifest, const AskedBounds& asked,
+                 MapBounds& bounds, int& status) {
   std::error_code ignored;
-  if (!std::filesystem::exists(path_in(folder), ignored)) return true;
-  const std::string wrong = read_json(path_in(folder), [&](const JsonValue& json) {
-    bounds.asked = bounds_of(json.member("asked"), true);
-    bounds.bounds = bounds_of(json.member("bounds"), false);
-    if (const auto attributes = json.optional_member("attributes"))
-      bounds.attributes = attributes_of(*attributes);
-    if (const auto parts = json.optional_member("parts"))
-      bounds.parts = MapParts{.most_triangles = parts->member("most_triangles").whole<std::uint32_t>(1),
-                              .levels = parts->member("levels").whole<std::uint8_t>(0, kMostLevels)};
-  });
-  if (wrong.empty()) return true;
-  print_error(path_in(folder), wrong + "; delete that file and ask for bounds");
-  status = kBadStream;
+  const std::string wrong =
+      !std::filesystem::exists(path_in(folder), ignored)
+          ? ""
+          : read_json(path_in(folder), [&](const JsonValue& json) {
+              bounds.asked = bounds_of(json.member("asked"), true);
+              bounds.bounds = bounds_of(json.member("bounds"), false);
+              if (const auto attributes = json.optional_member("attributes"))
+                bounds.attributes = attributes_of(*attributes);
+              if (const auto parts = json.optional_member("parts"))
+                bounds.parts =
+                    MapParts{.most_triangles = parts->member("most_triangles").whole<std::uint32_t>(1),
+                             .levels = parts->member("levels").whole<std::uint8_t>(0, kMostLevels)};
+            });
+  if (!wrong.empty()) {
+    print_error(path_in(folder), wrong + "; delete that file and ask for bounds");
+    status = kBadStream;
+    return false;
+  }
+  const bool says_all =
+      asked.of_positions && (asked.of_attributes || manifest.description.attributes.empty());
+  if (!bounds.bounds.empty() || says_all || manifest.entries.empty()) return true;
+  print_error(folder,
+              "no file bounds.json tells which bounds this map keeps: ask for those of positions, and for "
+              "those of attributes where it has any");
+  status = kBadInput;
   return false;
 }
 

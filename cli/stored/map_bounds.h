@@ -19,6 +19,8 @@ struct MapParts {
   std::uint8_t levels = 0;
 };
 
+inline constexpr std::uint8_t kMostLevels = 21;  ///< MapSettings::levels
+
 struct MapBounds {
   QualityRequest asked{};                        ///< as MapState has it
   QualityRequest bounds{};                       ///< likewise
@@ -26,9 +28,16 @@ struct MapBounds {
   std::optional<MapParts> parts{};               ///< of `map split`
 };
 
-/// Fills `bounds`; a folder without the file leaves them empty. Where the file is wrong, says so and leaves
-/// the exit code in `status`.
-bool load_bounds(const std::string& folder, MapBounds& bounds, int& status);
+/// Which bounds a command asks for itself.
+struct AskedBounds {
+  bool of_positions = false;
+  bool of_attributes = false;
+};
+
+/// Fills `bounds` with what the map in a folder keeps. Where the file is wrong, or is not there and `asked`
+/// does not say all that it would, says so and leaves the exit code in `status`.
+bool load_bounds(const std::string& folder, const MapManifest& manifest, const AskedBounds& asked,
+                 MapBounds& bounds, int& status);
 
 /// Where nothing is known there is no file. Errors: kFileWrite.
 Result<void> save_bounds(const std::string& folder, const MapBounds& bounds);

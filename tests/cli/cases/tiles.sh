@@ -44,6 +44,10 @@ quiet tiles finish one.map
 quiet map info one.map --json
 grep -E '"(epoch|revision)"' .out
 cat one.map/bounds.json
+# Without it nothing tells which bounds on attributes the map keeps.
+mv one.map/bounds.json kept.json
+run tiles plan one.map a.ply --part-edge 1 --max-error 0.01
+mv kept.json one.map/bounds.json
 quiet verify one.map
 # Parts that are missing or damaged are told with what makes them again.
 part=$(ls one.map/parts/*.part | head -1)
