@@ -99,7 +99,7 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
 void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages) {
   const std::vector<std::uint64_t> lost = viewer.delivery.take_lost(now);
   if (const auto probe = viewer.delivery.probe(now); lost.empty() && probe && viewer.allowance.may_spend())
-    viewer.post(viewer.delivery.send_again(*probe, now), messages);
+    viewer.post(viewer.delivery.send_again(*probe, now), 1, messages);
   if (lost.empty()) return;
   std::map<PartKey, std::vector<std::uint64_t>> sent;
   for (const auto& [number, message] : viewer.delivery.on_the_way()) sent[message.key].push_back(number);
@@ -122,7 +122,7 @@ void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& me
     if (!viewer.allowance.may_spend()) break;
     const SentMessage& message = viewer.delivery.send_again(number, now);
     if (message.key != kPoseKey) viewer.sent[message.key].time = now;
-    viewer.post(message, messages);
+    viewer.post(message, viewer.copies_of(message), messages);
   }
 }
 

@@ -79,12 +79,14 @@ struct Viewer {
   double describe_next = 0;                  ///< when the map's message may be sent, seconds
   double describe_wait = kDescribeWait;      ///< from then to the next time; twice as long each time
 
-  /// Adds a message that was just sent. Where losing it once more would make it late, what replaces lost ones
-  /// goes again, up to four times: the later, the more often.
-  void post(const SentMessage& message, std::vector<std::vector<std::byte>>& messages) {
+  /// How often to send what replaces lost messages, where losing it once more would make it late: the later,
+  /// the more often. 1 of all others.
+  int copies_of(const SentMessage& message) const noexcept {
     constexpr double kLate = 0.25;  // seconds
     const double late = (message.time - message.since.value_or(message.time)) / kLate;
-    const int copies = delivery.is_slow() ? std::clamp(1 + static_cast<int>(late), 1, 4) : 1;
+    return delivery.is_slow() ? std::clamp(1 + static_cast<int>(late), 1, 4) : 1;
+  }
+  void post(const SentMessage& message, int copies, std::vector<std::vector<std::byte>>& messages) {
     for (int i = 0; i < copies; ++i) {
       allowance.spend(message.bytes.size());
       messages.push_back(message.bytes);
@@ -99,7 +101,10 @@ struct Viewer {
 
   /// Sends of what is made as much as may be sent now.
   void send_made(double now, std::vector<std::vector<std::byte>>& messages) {
-    while (delivery.has_unsent() && allowance.may_spend()) post(delivery.send_next(now), messages);
+    while (delivery.has_unsent() && allowance.may_spend()) {
+      const SentMessage& message = delivery.send_next(now);
+      post(message, copies_of(message), messages);
+    }
   }
 
   /// What was sent by then and still waits is not waited for any longer.

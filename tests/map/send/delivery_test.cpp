@@ -130,6 +130,17 @@ TEST(MapDelivery, MAP21TheLastMessageIsSentAgainAfterTwoRoundTrips) {
   EXPECT_EQ(delivery.probe(14), std::nullopt);  // it was not sent at all
 }
 
+TEST(MapDelivery, MAP21WhatIsLateInAQueueAndNotLostIsSentOnce) {
+  Viewer viewer{.delivery = measured_delivery(0.3)};
+  const std::uint64_t first = send(viewer.delivery, 11);
+  const std::uint64_t second = send(viewer.delivery, 11);
+  viewer.delivery.hear({first, {}}, 12);
+  std::vector<std::vector<std::byte>> messages;
+  recover(viewer, 12.1, messages);
+  EXPECT_EQ(messages.size(), 1U);
+  EXPECT_TRUE(viewer.delivery.is_on_the_way(second));
+}
+
 TEST(MapDelivery, MAP21WhereAllOfTheFirstMessagesAreLostOthersFollow) {
   Delivery delivery;
   for (int i = 0; i < 6; ++i) delivery.forget(send(delivery, 10));
