@@ -122,7 +122,7 @@ TEST(MapLimits, MAP12NoMessageOf100BytesTakesAMegabyte) {
   }
 }
 
-/// What it says takes memory and time while it says so, and others get their map all the same.
+/// What it says takes memory while it says so, and others get their map all the same.
 TEST(MapLimits, MAP15AHostileViewerCostsNoMoreThanItsLastMessage) {
   const test::World world(4, 1);
   auto sender = MapSender::make(test::World::description());

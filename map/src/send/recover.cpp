@@ -25,8 +25,7 @@ bool waits_for_earlier(const Believed& believed, const PartKey& key, const Deliv
 /// Takes back messages about a part, the last ones: as if they had not been sent.
 void take_back(Viewer& viewer, const PartKey& key, Numbers numbers) {
   const std::optional<Believed> before = viewer.delivery.at(numbers.front()).before;
-  std::optional<double>& lost_since = viewer.sent[key].lost_since;
-  if (!lost_since) lost_since = viewer.delivery.at(numbers.front()).since;
+  viewer.lost_since.try_emplace(key, *viewer.delivery.at(numbers.front()).since);
   for (const std::uint64_t number : numbers) viewer.delivery.forget(number);
   if (!before) {
     viewer.has.erase(key);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/try.h"
@@ -15,30 +16,31 @@
 
 namespace deltamesh {
 
-/// Versions that no receiver has: of some parts, so that an update does not take longer the larger the map
-/// is.
+/// Versions that no receiver has, or may have again where messages are lost that are on the way: of some
+/// parts, so that an update does not take longer the larger the map is.
 void MapSender::State::forget_versions(std::size_t parts) {
+  if (parts == 0) return;
+  std::set<std::pair<PartKey, std::uint32_t>> may_come_back;
+  for (const auto& [name, viewer] : viewers)
+    for (const auto& [number, message] : viewer.delivery.on_the_way())
+      if (message.before) may_come_back.emplace(message.key, message.before->version);
   auto next = known.lower_bound(look_at_next);
   for (std::size_t count = std::min(parts, known.size()); count > 0; --count) {
     if (next == known.end()) next = known.begin();
     const PartKey key = next->first;
-    std::erase_if(next->second, [&](const auto& entry) { return !has_viewer(key, entry.first); });
+    std::erase_if(next->second, [&](const auto& entry) {
+      return !has_viewer(key, entry.first) && !may_come_back.contains({key, entry.first});
+    });
     next = next->second.empty() ? known.erase(next) : std::next(next);
   }
   if (next == known.end()) next = known.begin();
   look_at_next = next == known.end() ? PartKey{} : next->first;
 }
 
-/// Or may have again, where messages are lost that are on the way.
 bool MapSender::State::has_viewer(const PartKey& key, std::uint32_t version) const {
-  return std::ranges::any_of(viewers, [&](const auto& entry) {
-    const Viewer& viewer = entry.second;
-    const auto has = viewer.has.find(key);
-    return (has != viewer.has.end() && has->second.version == version) ||
-           std::ranges::any_of(viewer.delivery.on_the_way(), [&](const auto& sent) {
-             const auto& [number, message] = sent;
-             return message.key == key && message.before && message.before->version == version;
-           });
+  return std::ranges::any_of(viewers, [&](const auto& viewer) {
+    const auto has = viewer.second.has.find(key);
+    return has != viewer.second.has.end() && has->second.version == version;
   });
 }
 
@@ -79,7 +81,7 @@ Result<void> MapSender::State::make_newest(const PartKey& key, ChosenVersion cho
                      .number = number,
                      .base = chosen.is_patch ? encoding->base_key : key};
   const bool is_whole = !is_the_same && !chosen.is_patch;
-  const std::optional<double> since = std::exchange(viewer.sent[key].lost_since, std::nullopt);
+  const std::optional<double> since = viewer.take_lost_since(key);
   const auto add = [&](Result<std::vector<std::byte>> message) -> Result<void> {
     if (!message) return message.error();
     viewer.delivery.add({key, *std::move(message), before, is_whole, since});
@@ -156,8 +158,7 @@ Result<void> MapSender::State::make_removal(const PartKey& key, const SendPlan& 
                              .start = viewer.begin,
                              .number = number,
                              .entry = {.key = key, .revision = revision, .links = std::move(links)}}));
-  viewer.delivery.add(
-      {key, std::move(message), before, false, std::exchange(viewer.sent[key].lost_since, std::nullopt)});
+  viewer.delivery.add({key, std::move(message), before, false, viewer.take_lost_since(key)});
   return {};
 }
 
@@ -172,6 +173,9 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_s
     if (!plan.is_complete) return {};
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });
+    std::erase_if(viewer.lost_since, [&](const auto& entry) {
+      return !plan.needed.contains(entry.first) && !plan.removed.contains(entry.first);
+    });
     for (const SendUnit& unit : units_of(plan, viewer, map, known, encodings.codec().description())) {
       // What is shown together is made at once, so that it comes together whatever changes until it is sent.
       if (!viewer.allowance.may_spend() || is_call_over(!messages.empty())) break;

@@ -42,9 +42,8 @@ struct SentPart {
   std::uint64_t first = 0;     ///< of the first one; 0: the receiver may have something older
   double time = -std::numeric_limits<double>::infinity();  ///< of the last message
   bool is_removal = false;
-  std::optional<double> lost_since{};  ///< when the first one was sent of those that are lost, seconds
-  bool is_everywhere = false;          ///< told of by the receiver, and unknown
-  std::optional<PartBox> extent{};     ///< of all versions that were sent
+  bool is_everywhere = false;       ///< told of by the receiver, and unknown
+  std::optional<PartBox> extent{};  ///< of all versions that were sent
 
   void add(const PartBox& version) noexcept {
     if (!extent) extent = version;
@@ -70,7 +69,10 @@ struct Viewer {
   std::map<PartKey, SentPart>
       sent{};  ///< all parts that it may have or that may be on their way; shrinks by hear()
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
-  std::vector<PartFault> faults{};         ///< as the receiver was told last; ascending by key
+  /// Parts whose last messages were lost, until it is plain what takes their place: when the first of these
+  /// messages was sent, seconds.
+  std::map<PartKey, double> lost_since{};
+  std::vector<PartFault> faults{};  ///< as the receiver was told last; ascending by key
   Allowance allowance{};
   std::optional<MapPose> pose{};             ///< as it was sent last
   bool waits_for_copies = false;             ///< that it is to see first, and that are still to be made
@@ -79,15 +81,21 @@ struct Viewer {
   double describe_next = 0;                  ///< when the map's message may be sent, seconds
   double describe_wait = kDescribeWait;      ///< from then to the next time; twice as long each time
 
-  /// How often to send what replaces lost messages, where losing it once more would make it late: the later,
-  /// the more often. 1 of all others.
+  /// Of a message that is for a part whose last messages were lost: SentMessage::since. Empty for others.
+  std::optional<double> take_lost_since(const PartKey& key) {
+    const auto lost = lost_since.extract(key);
+    return lost.empty() ? std::nullopt : std::optional(lost.mapped());
+  }
+
+  /// How often to send a message: 1, or 2 to 4 where it replaces lost ones and the link is slow, the later
+  /// the more often, so that it is not lost once more.
   int copies_of(const SentMessage& message) const noexcept {
     constexpr double kLate = 0.25;  // seconds
-    const double late = (message.time - message.since.value_or(message.time)) / kLate;
-    return delivery.is_slow() ? std::clamp(1 + static_cast<int>(late), 1, 4) : 1;
+    const double late = message.time - message.since.value_or(message.time);
+    return late > 0 && delivery.is_slow() ? std::clamp(1 + static_cast<int>(late / kLate), 2, 4) : 1;
   }
   void post(const SentMessage& message, int copies, std::vector<std::vector<std::byte>>& messages) {
-    for (int i = 0; i < copies; ++i) {
+    for (int i = 0; i < copies && (i == 0 || allowance.may_spend()); ++i) {
       allowance.spend(message.bytes.size());
       messages.push_back(message.bytes);
     }
