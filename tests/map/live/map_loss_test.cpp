@@ -83,6 +83,19 @@ class MapLoss : public testing::Test {
     now_ += 0.01;
     return ask();
   }
+  /// Over a link that takes 0.15 s: a change of the other block arrives, and its receipt is answered.
+  Messages exchange_slowly() {
+    constexpr double kWay = 0.15;  // seconds
+    other_height_ = 0.75F - other_height_;
+    set(4, other_height_);
+    const Messages other = ask();
+    now_ += kWay;
+    apply(other);
+    const Messages receipts = said();
+    now_ += kWay;
+    for (const Bytes& message : receipts) EXPECT_TRUE(sender_->hear(message, now_));
+    return ask();
+  }
   bool shows(std::int32_t x, float height) const {
     const auto& p = receiver_.find({0, x, 0, 0})->mesh.positions;
     for (std::size_t i = 2; i < p.size(); i += 3)
@@ -93,6 +106,7 @@ class MapLoss : public testing::Test {
   std::unique_ptr<MapSender> sender_;
   MapReceiver receiver_;
   double now_ = 0;
+  float other_height_ = 0.25F;
 };
 
 TEST_F(MapLoss, MAP21AGapIsAskedForAtOnce) {
@@ -163,28 +177,33 @@ TEST_F(MapLoss, MAP21WhatTakesThePlaceOfALostPatchIsAPatchOfWhatTheReceiverHas) 
 }
 
 TEST_F(MapLoss, MAP21TheLaterWhatIsLostComesTheMoreOftenItIsSentWhereALinkIsSlow) {
-  constexpr double kWay = 0.15;  // seconds
-  float height = 0.25F;
-  const auto answer_to_the_other = [&] {  // a change that arrives, and what the reply to it is answered with
-    height = 0.75F - height;
-    set(4, height);
-    const Messages other = ask();
-    now_ += kWay;
-    apply(other);
-    const Messages replies = said();
-    now_ += kWay;
-    for (const Bytes& message : replies) EXPECT_TRUE(sender_->hear(message, now_));
-    return ask();
-  };
-  for (int i = 0; i < 20; ++i) EXPECT_TRUE(answer_to_the_other().empty());
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(exchange_slowly().empty());
   set(0, 0.5F);
   ASSERT_EQ(ask().size(), 1U);  // lost
-  const Messages again = answer_to_the_other();
+  const Messages again = exchange_slowly();
   ASSERT_EQ(again.size(), 2U);  // lost as well
   EXPECT_EQ(again.front(), again.back());
-  const Messages later = answer_to_the_other();
+  const Messages later = exchange_slowly();
   EXPECT_EQ(later.size(), 3U);
   apply(later);
+  EXPECT_TRUE(shows(0, 0.5F));
+}
+
+TEST_F(MapLoss, MAP21WhatWasLostAndIsNotNeededAnyMoreIsNotLate) {
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(exchange_slowly().empty());
+  set(0, 0.5F);
+  ASSERT_EQ(ask().size(), 1U);  // lost
+  const View all = receiver_.view();
+  View other = all;
+  other.boxes = {{{4, 0, 0}, {5, 1, 1}}};
+  receiver_.set_view(other);
+  for (const Bytes& message : said()) ASSERT_TRUE(sender_->hear(message, now_));
+  for (int i = 0; i < 10; ++i) apply(exchange_slowly());
+  receiver_.set_view(all);
+  for (const Bytes& message : said()) ASSERT_TRUE(sender_->hear(message, now_));
+  const Messages messages = ask();
+  EXPECT_EQ(messages.size(), 1U);
+  apply(messages);
   EXPECT_TRUE(shows(0, 0.5F));
 }
 
