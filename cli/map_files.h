@@ -11,12 +11,12 @@
 
 namespace deltamesh::cli {
 
-/// Which map a command makes. What is not said is as the map that is there has it.
+/// The number and the frame that a command asks for. Where it does not, a map that is there keeps its own.
 struct AskedName {
   std::optional<std::uint64_t> id{};
   std::optional<std::string> frame{};
 
-  /// `before`: null where no map is there, which gets the usual ones.
+  /// `before`: of the map that is there; null: there is none, and the settings stay as they are.
   void set_in(MapSettings& settings, const MapDescription* before) const;
 };
 

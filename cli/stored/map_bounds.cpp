@@ -19,24 +19,26 @@ std::string path_in(const std::string& folder) {
   return (std::filesystem::path(folder) / "bounds.json").string();
 }
 
+/// Returns what is wrong with the file; empty: nothing.
+std::string read_bounds(const std::string& path, MapBounds& bounds) {
+  return read_json(path, [&](const JsonValue& json) {
+    bounds.asked = bounds_of(json.member("asked"), true);
+    bounds.bounds = bounds_of(json.member("bounds"), false);
+    if (const auto attributes = json.optional_member("attributes"))
+      bounds.attributes = attributes_of(*attributes);
+    if (const auto parts = json.optional_member("parts"))
+      bounds.parts = MapParts{.most_triangles = parts->member("most_triangles").whole<std::uint32_t>(1),
+                              .levels = parts->member("levels").whole<std::uint8_t>(0, kMostLevels)};
+  });
+}
+
 }  // namespace
 
 bool load_bounds(const std::string& folder, const MapManifest& manifest, const AskedBounds& asked,
                  MapBounds& bounds, int& status) {
   std::error_code ignored;
-  const std::string wrong =
-      !std::filesystem::exists(path_in(folder), ignored)
-          ? ""
-          : read_json(path_in(folder), [&](const JsonValue& json) {
-              bounds.asked = bounds_of(json.member("asked"), true);
-              bounds.bounds = bounds_of(json.member("bounds"), false);
-              if (const auto attributes = json.optional_member("attributes"))
-                bounds.attributes = attributes_of(*attributes);
-              if (const auto parts = json.optional_member("parts"))
-                bounds.parts =
-                    MapParts{.most_triangles = parts->member("most_triangles").whole<std::uint32_t>(1),
-                             .levels = parts->member("levels").whole<std::uint8_t>(0, kMostLevels)};
-            });
+  const bool is_there = std::filesystem::exists(path_in(folder), ignored);
+  const std::string wrong = is_there ? read_bounds(path_in(folder), bounds) : "";
   if (!wrong.empty()) {
     print_error(path_in(folder), wrong + "; delete that file and ask for bounds");
     status = kBadStream;

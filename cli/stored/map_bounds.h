@@ -19,7 +19,7 @@ struct MapParts {
   std::uint8_t levels = 0;
 };
 
-inline constexpr std::uint8_t kMostLevels = 21;  ///< MapSettings::levels
+inline constexpr std::uint8_t kMostLevels = 21;  ///< the most that MapSettings::levels may be
 
 struct MapBounds {
   QualityRequest asked{};                        ///< as MapState has it
@@ -34,8 +34,8 @@ struct AskedBounds {
   bool of_attributes = false;
 };
 
-/// Fills `bounds` with what the map in a folder keeps. Where the file is wrong, or is not there and `asked`
-/// does not say all that it would, says so and leaves the exit code in `status`.
+/// Fills `bounds` with what the map in a folder keeps. Where the file is wrong, or is missing and the command
+/// does not ask for all bounds itself, says so and leaves the exit code in `status`.
 bool load_bounds(const std::string& folder, const MapManifest& manifest, const AskedBounds& asked,
                  MapBounds& bounds, int& status);
 

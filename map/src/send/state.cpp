@@ -16,8 +16,8 @@
 
 namespace deltamesh {
 
-/// Versions that no receiver has, or may have again where messages are lost that are on the way: of some
-/// parts, so that an update does not take longer the larger the map is.
+/// Forgets versions that no receiver has, and that none will have again if messages on the way are lost.
+/// Looks at some parts only, so that an update does not take longer the larger the map is.
 void MapSender::State::forget_versions(std::size_t parts) {
   if (parts == 0) return;
   std::set<std::pair<PartKey, std::uint32_t>> may_come_back;

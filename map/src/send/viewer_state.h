@@ -69,8 +69,8 @@ struct Viewer {
   std::map<PartKey, SentPart>
       sent{};  ///< all parts that it may have or that may be on their way; shrinks by hear()
   std::map<PartKey, std::uint64_t> due{};  ///< what it lacks, and the map's revision since when
-  /// Parts whose last messages were lost, until it is plain what takes their place: when the first of these
-  /// messages was sent, seconds.
+  /// Parts whose last messages were lost, until something is sent in their place or none is needed: when the
+  /// first of these messages was sent, seconds.
   std::map<PartKey, double> lost_since{};
   std::vector<PartFault> faults{};  ///< as the receiver was told last; ascending by key
   Allowance allowance{};
@@ -81,19 +81,20 @@ struct Viewer {
   double describe_next = 0;                  ///< when the map's message may be sent, seconds
   double describe_wait = kDescribeWait;      ///< from then to the next time; twice as long each time
 
-  /// Of a message that is for a part whose last messages were lost: SentMessage::since. Empty for others.
+  /// SentMessage::since of the next message about a part; empty where its last one was not lost.
   std::optional<double> take_lost_since(const PartKey& key) {
     const auto lost = lost_since.extract(key);
     return lost.empty() ? std::nullopt : std::optional(lost.mapped());
   }
 
-  /// How often to send a message: 1, or 2 to 4 where it replaces lost ones and the link is slow, the later
-  /// the more often, so that it is not lost once more.
+  /// How often to send a message: once; on a slow link 2 to 4 times where it replaces lost ones, so that
+  /// these are not lost, too. The later it is, the more often.
   int copies_of(const SentMessage& message) const noexcept {
     constexpr double kLate = 0.25;  // seconds
     const double late = message.time - message.since.value_or(message.time);
     return late > 0 && delivery.is_slow() ? std::clamp(1 + static_cast<int>(late / kLate), 2, 4) : 1;
   }
+  /// Adds so many copies of a message, or fewer where the rate allows no more, but at least one.
   void post(const SentMessage& message, int copies, std::vector<std::vector<std::byte>>& messages) {
     for (int i = 0; i < copies && (i == 0 || allowance.may_spend()); ++i) {
       allowance.spend(message.bytes.size());

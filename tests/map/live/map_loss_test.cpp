@@ -77,9 +77,13 @@ class MapLoss : public testing::Test {
     EXPECT_TRUE(messages);
     return *messages;
   }
-  /// The answer to it, 10 ms later.
-  Messages exchange() {
+  /// The sender hears it.
+  void tell() {
     for (const Bytes& message : said()) EXPECT_TRUE(sender_->hear(message, now_));
+  }
+  /// What the sender answers 10 ms later.
+  Messages exchange() {
+    tell();
     now_ += 0.01;
     return ask();
   }
@@ -133,7 +137,7 @@ TEST_F(MapLoss, MAP21WhatIsSupersededIsNotSentAgain) {
   set(4, 0.5F);
   apply(ask());
   set(0, 0.75F);
-  for (const Bytes& message : said()) ASSERT_TRUE(sender_->hear(message, now_));
+  tell();
   const Messages again = ask();  // the newest alone, of what the receiver has
   ASSERT_EQ(again.size(), 1U);
   EXPECT_NE(again, lost);
@@ -168,7 +172,7 @@ TEST_F(MapLoss, MAP21WhatTakesThePlaceOfALostPatchIsAPatchOfWhatTheReceiverHas) 
   set(4, 0.5F);
   apply(ask());
   set(0, 0.75F);
-  for (const Bytes& message : said()) ASSERT_TRUE(sender_->hear(message, now_));
+  tell();
   const Messages again = ask();
   ASSERT_EQ(again.size(), 1U);
   EXPECT_TRUE(read_patch(again.front()));
@@ -197,10 +201,10 @@ TEST_F(MapLoss, MAP21WhatWasLostAndIsNotNeededAnyMoreIsNotLate) {
   View other = all;
   other.boxes = {{{4, 0, 0}, {5, 1, 1}}};
   receiver_.set_view(other);
-  for (const Bytes& message : said()) ASSERT_TRUE(sender_->hear(message, now_));
+  tell();
   for (int i = 0; i < 10; ++i) apply(exchange_slowly());
   receiver_.set_view(all);
-  for (const Bytes& message : said()) ASSERT_TRUE(sender_->hear(message, now_));
+  tell();
   const Messages messages = ask();
   EXPECT_EQ(messages.size(), 1U);
   apply(messages);

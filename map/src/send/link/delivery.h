@@ -24,7 +24,8 @@ struct SentMessage {
   std::vector<std::byte> bytes{};
   std::optional<Believed> before{};  ///< what the receiver was believed to have of the part
   bool is_whole = false;             ///< of use without earlier messages about the part
-  /// When it was sent first, or the first one of the lost ones that it replaces, seconds; empty: not yet.
+  /// When it was sent first, seconds; where it replaces lost messages, when the first of them was. Empty: it
+  /// replaces none and was not sent yet.
   std::optional<double> since{};
   bool is_superseded = false;  ///< a later message about the part is whole
   double time = 0;             ///< when it was sent last, seconds
