@@ -10,7 +10,6 @@
 #include "decoder/stream_decoder.h"
 #include "format/container.h"
 #include "outcome.h"
-#include "parts.h"
 #include "runtime.h"
 
 namespace deltamesh::web {

@@ -50,10 +50,13 @@ struct ChunkOutcome {
   std::uint32_t decoded_bytes = 0;
 };
 
+/// The modules that `core` may need.
+enum class Part : std::uint32_t { kHighpass, kZstd, kRare, kGrid };
+
 struct StreamOutcome {
   ErrorOutcome error;
   std::uint32_t geometry = 0;  ///< 1 highpass, 2 predictive, 3 grid
-  std::uint32_t parts = 0;     ///< that it needs beside core, bits by Part (parts.h)
+  std::uint32_t parts = 0;     ///< that it needs beside core, bits by Part
   double origin[3]{};
   double box[6]{};
   double quality[3]{};  ///< VDE, LFE, largest error

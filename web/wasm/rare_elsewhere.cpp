@@ -4,66 +4,43 @@
 // Codings that few streams have, for `core`: the module `rare` reads them.
 #include "attributes/plain/plain.h"
 #include "attributes/rare/rare.h"
-#include "base/try.h"
-#include "parts.h"
+#include "part.h"
 #include "positions/positions.h"
 
 namespace deltamesh {
-namespace {
+namespace web {
 
-using web::RareCall;
-using web::RareForm;
+DELTAMESH_OF_PART(rare, read_float_positions)
+Result<std::vector<float>> read_float_positions_there(std::span<const std::byte> bytes, const FaceList& faces,
+                                                      const Box& box);
 
-template <class Array>
-web::HandedArray hand_over(const Array& array) {
-  return web::hand_over(web::Part::kRare, array);
-}
+DELTAMESH_OF_PART(rare, read_rare_values)
+Result<std::vector<std::byte>> read_rare_values_there(AttributeCoding coding,
+                                                      std::span<const std::byte> bytes,
+                                                      const Attribute& shape, const AttributeSurface& surface,
+                                                      std::span<const JointRow> joints);
 
-/// What `call` returns, one array.
-template <class Vector>
-Result<Vector> read(const RareCall& call) {
-  DELTAMESH_TRY(const auto returned, web::call_part(web::Part::kRare, call));
-  Vector values;
-  web::take_array(web::Part::kRare, returned.arrays[0], values);
-  return values;
-}
+DELTAMESH_OF_PART(rare, read_plain_values)
+Result<std::vector<std::byte>> read_plain_values_there(std::span<const std::byte> payload,
+                                                       const Attribute& shape, std::uint32_t rows);
 
-}  // namespace
+}  // namespace web
 
 Result<std::vector<float>> read_float_positions(std::span<const std::byte> bytes, const FaceList& faces,
                                                 const Box& box) {
-  return read<std::vector<float>>({.form = RareForm::kPositions,
-                                   .vertex_count = faces.vertex_count,
-                                   .bytes = hand_over(bytes),
-                                   .triangles = hand_over(faces.triangles),
-                                   .box = box});
+  return web::read_float_positions_there(bytes, faces, box);
 }
 
 Result<std::vector<std::byte>> read_rare_values(AttributeCoding coding, std::span<const std::byte> bytes,
                                                 const Attribute& shape, const AttributeSurface& surface,
                                                 std::span<const JointRow> joints,
-                                                const Learning<AttributeModels>&) {
-  return read<std::vector<std::byte>>({.form = RareForm::kAttribute,
-                                       .vertex_count = surface.vertex_count(),
-                                       .bytes = hand_over(bytes),
-                                       .triangles = hand_over(surface.triangles()),
-                                       .geometric = hand_over(surface.geometric()),
-                                       .positions = hand_over(surface.positions()),
-                                       .joints = hand_over(joints),
-                                       .coding = coding,
-                                       .kind = shape.kind,
-                                       .type = shape.type,
-                                       .components = shape.components});
+                                                const Learning<AttributeModels>& /*none*/) {
+  return web::read_rare_values_there(coding, bytes, shape, surface, joints);
 }
 
 Result<std::vector<std::byte>> read_plain_values(std::span<const std::byte> payload, const Attribute& shape,
                                                  std::uint32_t rows) {
-  return read<std::vector<std::byte>>({.form = RareForm::kPlain,
-                                       .vertex_count = rows,
-                                       .bytes = hand_over(payload),
-                                       .kind = shape.kind,
-                                       .type = shape.type,
-                                       .components = shape.components});
+  return web::read_plain_values_there(payload, shape, rows);
 }
 
 }  // namespace deltamesh

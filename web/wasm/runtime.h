@@ -11,11 +11,10 @@
 #define DELTAMESH_IMPORT(name) __attribute__((import_module("env"), import_name(#name)))
 #define DELTAMESH_EXPORT(name) __attribute__((export_name(#name)))
 
-extern "C" {
-/// Throws in JavaScript.
-[[noreturn]] DELTAMESH_IMPORT(out_of_memory) void out_of_memory();
+namespace deltamesh::web {
 
-/// For what JavaScript hands over.
-DELTAMESH_EXPORT(allocate) void* allocate(std::size_t bytes);
-DELTAMESH_EXPORT(release) void release(void* memory);
-}
+/// Memory of the module's own (own_memory.cpp), or of core's (memory_of_core.cpp).
+void* allocate(std::size_t bytes);
+void release(void* memory);
+
+}  // namespace deltamesh::web

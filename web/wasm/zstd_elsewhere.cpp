@@ -3,17 +3,18 @@
 //
 // Frames of zstd's for `core`: the module `zstd` expands them.
 #include "entropy/zstd_frame.h"
-#include "parts.h"
+#include "part.h"
 
 namespace deltamesh {
+namespace web {
+
+DELTAMESH_OF_PART(zstd, expand_frame)
+bool expand_frame_there(std::span<const std::byte> frame, std::span<std::byte> expanded);
+
+}  // namespace web
 
 bool expand_frame(std::span<const std::byte> frame, std::span<std::byte> expanded) noexcept {
-  const web::ZstdCall call{.expanded_bytes = static_cast<std::uint32_t>(expanded.size()),
-                           .frame = web::hand_over(web::Part::kZstd, frame)};
-  const auto returned = web::call_part(web::Part::kZstd, call);
-  if (!returned || returned->count == 0) return false;
-  take(web::Part::kZstd, expanded.data(), returned->arrays[0].address, expanded.size());
-  return true;
+  return web::expand_frame_there(frame, expanded);
 }
 
 }  // namespace deltamesh

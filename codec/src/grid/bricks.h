@@ -23,7 +23,7 @@ class Bricks {
   using Place = std::array<std::int32_t, 3>;
 
   /// So that nothing moves while about so many vertices come.
-  void reserve(std::size_t vertices) { vertices_.resize(kNodesOfVertex * vertices + kBlockNodes); }
+  void reserve(std::size_t vertices) { vertices_.resize(vertices / 2 * kNodesOfTwo + 16 * kBlockNodes); }
 
   std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(bricks_.size()); }
   Brick& operator[](std::uint32_t number) noexcept { return *bricks_[number]; }
@@ -93,7 +93,7 @@ class Bricks {
   std::vector<Brick*> in_order() const;
 
  private:
-  static constexpr std::size_t kNodesOfVertex = 5;  ///< at most, usually, of blocks
+  static constexpr std::size_t kNodesOfTwo = 7;  ///< that blocks have for two vertices, at most, usually
 
   void get_beyond(Brick& brick, unsigned place);
   void add_block(std::uint32_t& block);

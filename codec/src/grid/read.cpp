@@ -105,7 +105,7 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
     limits.triangles -= size.triangles;
     // The usual share of a byte is far less; what comes beyond that moves.
     const auto likely = [bytes = surface_bytes.size()](std::size_t most) {
-      return std::min(most / 16, bytes) * 16;
+      return std::min(most / 16 + 1, bytes) * 16;
     };
     surface.triangles.reserve(likely(limits.triangles));
     surface.bricks.reserve(likely(limits.vertices));

@@ -7,8 +7,8 @@ import { Instance, settle } from './instance.js';
 import { PARTS, readError, readStream } from './outcome.js';
 
 const LIMITS = { vertices: 2 ** 26, triangles: 2 ** 27, attributes: 1024, attributeBytes: 2 ** 31 };
-/** Of PartArrays. */
-const RETURNED_BYTES = 36;
+/** Core's stack that its allocator may use while a part runs, bytes. */
+const ALLOCATOR_STACK = 2 ** 16;
 
 /** What a stream was given as, as bytes; or an error that tells what to pass. */
 export function bytesOf(given) {
@@ -31,7 +31,6 @@ export class Decoder {
   #modules = {};
   #core;
   #parts = {};
-  #partError;
 
   constructor(loadModule, maxMemory) {
     this.#loadModule = loadModule;
@@ -45,7 +44,7 @@ export class Decoder {
   }
 
   #instance() {
-    return (this.#core ??= new Instance(this.#modules.core, this.#maxMemory, this.#imports()));
+    return (this.#core ??= new Instance(this.#modules.core, this.#maxMemory, this.#partImports()));
   }
 
   inspect(given) {
@@ -80,44 +79,45 @@ export class Decoder {
     return settle(
       () => {
         const core = this.#instance();
-        this.#partError = undefined;
         const address = core.put(bytes);
         const outcome = call(core.calls, address);
-        const stream = this.#partError ?? readError(core, outcome) ?? readStream(core, outcome, isDecoded);
+        const stream = readError(core, outcome) ?? readStream(core, outcome, isDecoded);
         core.calls.release(address);
         core.calls.forget();
-        if (core.isLarge) this.#core = undefined;
-        for (const [name, part] of Object.entries(this.#parts)) {
-          part.calls.forget();
-          if (part.isLarge) delete this.#parts[name];
-        }
+        if (core.isLarge) this.release();
         return stream;
       },
       () => this.release(),
     );
   }
 
-  #part(number) {
-    const name = PARTS[number];
-    if (!this.#modules[name])
-      throw new DeltameshError({ code: CODES.noFile, what: `the module ${name} is not loaded` });
-    return (this.#parts[name] ??= new Instance(this.#modules[name], this.#maxMemory, {}));
+  /** What core imports from its parts, which work in its memory and on what is left of its stack (web/wasm/part.h). Each starts at its first call. */
+  #partImports() {
+    const imports = {};
+    for (const { module: part, name } of WebAssembly.Module.imports(this.#modules.core)) {
+      if (part === 'env') continue;
+      (imports[part] ??= {})[name] = (...values) => {
+        const { stackRestore, [name]: call } = (this.#parts[part] ??= this.#startPart(part));
+        stackRestore(this.#stackOfPart());
+        return call(...values);
+      };
+    }
+    return imports;
   }
 
-  /** As in parts.h. */
-  #imports() {
-    const bytes = ({ memory }, address, size) => new Uint8Array(memory.buffer, address, size);
-    return {
-      give: (number, from, size) => this.#part(number).put(bytes(this.#core, from, size)),
-      call: (number, address, returned) => {
-        const part = this.#part(number);
-        const outcome = part.calls.call(address);
-        this.#partError = readError(part, outcome) ?? undefined;
-        bytes(this.#core, returned, RETURNED_BYTES).set(bytes(part, outcome + 32, RETURNED_BYTES));
-        return this.#partError?.code ?? 0;
-      },
-      take: (number, to, from, size) => bytes(this.#core, to, size).set(bytes(this.#part(number), from, size)),
-    };
+  #startPart(name) {
+    if (!this.#modules[name])
+      throw new DeltameshError({ code: CODES.noFile, what: `the module ${name} is not loaded` });
+    const { memory, calls } = this.#core;
+    const env = { memory, allocate: calls.allocate, release: calls.release };
+    const part = new WebAssembly.Instance(this.#modules[name], { env }).exports;
+    part.stackRestore(this.#stackOfPart());
+    part._initialize();
+    return part;
+  }
+
+  #stackOfPart() {
+    return this.#core.calls.stackSave() - ALLOCATOR_STACK;
   }
 
   release() {

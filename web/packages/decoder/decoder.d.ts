@@ -42,7 +42,7 @@ export interface DecoderOptions {
   files?: { [module in 'core' | PartName]?: ModuleSource };
   /** Whether the default files are those for machines with SIMD; default: as this machine has it. */
   simd?: boolean;
-  /** Most bytes that each of the modules may take for its memory; default 4 GiB. */
+  /** Most bytes that the modules may take for their memory, which they share; default 4 GiB. */
   maxMemory?: number;
 }
 

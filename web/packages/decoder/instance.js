@@ -15,7 +15,8 @@ class OutOfMemory extends Error {}
 
 /** A module at work, with views of its memory that are good until its next call. */
 export class Instance {
-  constructor(module, maxMemory = 2 ** 32, imports) {
+  /** `imports`: more of them, by module and name. */
+  constructor(module, maxMemory = 2 ** 32, imports = {}) {
     const maximum = Math.max(FIRST_PAGES, Math.floor(maxMemory / PAGE));
     this.memory = new WebAssembly.Memory({ initial: FIRST_PAGES, maximum });
     const env = {
@@ -23,9 +24,9 @@ export class Instance {
       out_of_memory() {
         throw new OutOfMemory();
       },
-      ...imports,
+      ...imports.env,
     };
-    this.calls = new WebAssembly.Instance(module, { env }).exports;
+    this.calls = new WebAssembly.Instance(module, { ...imports, env }).exports;
     this.calls._initialize();
   }
 

@@ -4,7 +4,7 @@
 // What modules return, as web/wasm/outcome.h has it.
 import { DeltameshError } from './errors.js';
 
-/** As parts.h numbers them. */
+/** As outcome.h numbers them. */
 export const PARTS = ['highpass', 'zstd', 'rare', 'grid'];
 
 const WHERE = ['', 'byte', 'line', 'vertex', 'triangle', 'attribute', 'element'];

@@ -226,7 +226,7 @@ export class Encoder {
     return settle(
       () => {
         const progress = (share) => this.#progress?.(share);
-        const instance = (this.#instance ??= new Instance(this.#module, this.#maximum, { progress }));
+        const instance = (this.#instance ??= new Instance(this.#module, this.#maximum, { env: { progress } }));
         const given = new Arguments(instance);
         const outcome = call(instance.calls, given);
         const error = readError(instance, outcome);

@@ -42,8 +42,10 @@ class HaarCoder {
   }
 
   /// The vertices' records, with their values as readers have them. May be called once; there is a vertex. A
-  /// reader that fails stops soon; what it returns is of no use then.
-  LargeVector<HaarRecord> run() {
+  /// reader that fails stops soon; what it returns is of no use then. `done(l)` is called when nodes
+  /// and neighbours of level l have served.
+  template <class Done>
+  LargeVector<HaarRecord> run(const Done& done) {
     LargeVector<HaarRecord> records(1);
     records[0] = root();
     for (std::size_t l = levels_.size() - 1; l > 0; --l) {
@@ -52,6 +54,7 @@ class HaarCoder {
       hand_down(levels_[l].children, records, finer);
       split(l, records, finer);
       records.swap(finer);
+      done(l - 1);
     }
     return records;
   }

@@ -13,12 +13,17 @@ namespace {
 /// Readers have nothing to code.
 struct NoHaarSource {};
 
+/// `keeps_levels`: else they are freed one by one, as they serve.
 template <unsigned kAxes>
-LargeVector<HaarRecord> read_haar_axes(CompactReader& reader, std::span<const HaarLevel> levels,
-                                       std::uint32_t step, const Learning<HaarModels>& learning) {
+LargeVector<HaarRecord> read_haar_axes(CompactReader& reader, std::span<HaarLevel> levels, std::uint32_t step,
+                                       const Learning<HaarModels>& learning, bool keeps_levels) {
   const NoHaarSource nothing;
   HaarCoder<CompactReader, kAxes, NoHaarSource> coder(reader, levels, step, nothing, learning.start);
-  auto records = coder.run();
+  auto records = coder.run([&](std::size_t l) {
+    if (keeps_levels) return;
+    LargeVector<HaarNode>().swap(levels[l].nodes);
+    levels[l].graph = Adjacency();
+  });
   if (learning.end != nullptr) *learning.end = coder.models();
   return records;
 }
@@ -36,17 +41,19 @@ Result<std::vector<std::byte>> read_haar_values(std::span<const std::byte> bytes
     return values.take();
   }
   DELTAMESH_TRY(const auto stream, in.read_bytes(in.remaining()));
-  const auto levels = make_haar_levels(surface);
+  auto levels = make_haar_levels(surface);
   CompactReader reader(stream);
-  const auto records = fields.axes == 1 ? read_haar_axes<1>(reader, levels, fields.step, learning)
-                                        : read_haar_axes<kHaarAxes>(reader, levels, fields.step, learning);
+  const bool has_alpha = fields.alpha == HaarAlpha::kCoded;
+  const auto records = fields.axes == 1
+                           ? read_haar_axes<1>(reader, levels, fields.step, learning, has_alpha)
+                           : read_haar_axes<kHaarAxes>(reader, levels, fields.step, learning, has_alpha);
   if (shape.components == 1) {
     values.set_numbers(records, fields.scale);
   } else {
     values.set_colors(records, fields.axes);
   }
   if (fields.alpha == HaarAlpha::kConstant) values.set_alpha(fields.alpha_level);
-  if (fields.alpha == HaarAlpha::kCoded) values.set_alpha(read_haar_axes<1>(reader, levels, fields.step, {}));
+  if (has_alpha) values.set_alpha(read_haar_axes<1>(reader, levels, fields.step, {}, false));
   DELTAMESH_CHECK(reader.finish(kTagAttribute));
   return values.take();
 }

@@ -100,7 +100,8 @@ LargeVector<HaarRecord> write_haar_axes(CompactWriter& writer, const HaarMeans& 
                                         std::span<const HaarLevel> levels, std::uint32_t step,
                                         const HaarModels* start) {
   const HaarSource<kAxes> source(means, levels);
-  return HaarCoder<CompactWriter, kAxes, HaarSource<kAxes>>(writer, levels, step, source, start).run();
+  HaarCoder<CompactWriter, kAxes, HaarSource<kAxes>> coder(writer, levels, step, source, start);
+  return coder.run([](std::size_t) {});
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ Adjacency join_graph(const HaarLevel& fine, const LargeVector<HaarChildren>& chi
                      const LargeVector<std::uint32_t>& parents) {
   Adjacency graph;
   graph.offsets.resize(children.size() + 1);
-  graph.neighbors.resize(fine.graph.neighbors.size());
+  LargeVector<std::uint32_t> all(fine.graph.neighbors.size());
   LargeVector<std::uint32_t> last_seen_by(children.size(), HaarChildren::kNone);
   std::uint32_t end = 0;
   in_turns(static_cast<std::uint32_t>(children.size()),
-           [&, last_seen_by = last_seen_by.data(), neighbors = graph.neighbors.data()](std::uint32_t first,
-                                                                                       std::uint32_t last) {
+           [&, last_seen_by = last_seen_by.data(), neighbors = all.data()](std::uint32_t first,
+                                                                           std::uint32_t last) {
              std::uint32_t next = end;
              for (std::uint32_t i = first; i < last; ++i) {
                graph.offsets[i] = next;
@@ -53,7 +53,7 @@ Adjacency join_graph(const HaarLevel& fine, const LargeVector<HaarChildren>& chi
              end = next;
            });
   graph.offsets.back() = end;
-  graph.neighbors.resize(end);
+  graph.neighbors.assign(all.begin(), all.begin() + end);
   return graph;
 }
 
