@@ -115,9 +115,9 @@ class HighpassSearch {
   }
 
   /// The fewest anchors that keep all bounds, up to one for so many vertices.
-  Result<void> keep_by_anchors(HighpassSettings settings, std::uint32_t vertices) {
+  Result<void> keep_by_anchors(HighpassSettings settings, std::uint32_t vertices_per_anchor) {
     const double most =
-        std::max<double>(settings.anchors, fixed_anchors() ? 0 : usual_anchors(vertices, trials_));
+        std::max<double>(settings.anchors, fixed_anchors() ? 0 : usual_anchors(vertices_per_anchor, trials_));
     // LFE goes with the distance between anchors.
     Bracket bracket({.first = static_cast<double>(settings.anchors),
                      .least = static_cast<double>(settings.anchors),

@@ -43,9 +43,10 @@ constexpr double kRateWeight = 0.12;
 
 }  // namespace
 
-std::uint32_t usual_anchors(std::uint32_t vertices, HighpassTrials& trials) {
+std::uint32_t usual_anchors(std::uint32_t vertices_per_anchor, HighpassTrials& trials) {
   const std::uint32_t fewest = trials.fewest_anchors();
-  return std::clamp(trials.most_anchors() / vertices + 1, fewest, std::max(fewest, trials.most_anchors()));
+  return std::clamp(trials.most_anchors() / vertices_per_anchor + 1, fewest,
+                    std::max(fewest, trials.most_anchors()));
 }
 
 HighpassSettings first_settings(const Request& request, HighpassTrials& trials) {

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kForLfe = 200;
 inline constexpr std::uint32_t kForMaxError = 50;
 
 /// One for so many vertices, within what the mesh allows.
-std::uint32_t usual_anchors(std::uint32_t vertices, HighpassTrials& trials);
+std::uint32_t usual_anchors(std::uint32_t vertices_per_anchor, HighpassTrials& trials);
 
 /// What `request` says, and where it says nothing, what a search starts from.
 HighpassSettings first_settings(const Request& request, HighpassTrials& trials);

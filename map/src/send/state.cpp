@@ -60,8 +60,8 @@ Result<ChosenVersion> MapSender::State::choose_version(const SourcePart& source,
   return ChosenVersion{{source.content_revision, source.links, std::move(whole)}};
 }
 
-Result<void> MapSender::State::make_newest(const PartKey& key, ChosenVersion chosen, const SendPlan& plan,
-                                           Viewer& viewer, double now) {
+Result<void> MapSender::State::make_version(const PartKey& key, ChosenVersion chosen, const SendPlan& plan,
+                                            Viewer& viewer, double now) {
   const SourcePart& source = *map.find(key);
   const auto encoding = chosen.version.encoding;
   const KnownVersion* had = believed_version(viewer, key);
@@ -218,7 +218,7 @@ Result<bool> MapSender::State::send(const SendUnit& unit, SendPlan& plan, Viewer
   const bool is_whole = chosen.size() == unit.needed.size();
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const PartKey& key = unit.needed[i];
-    DELTAMESH_CHECK(make_newest(key, std::move(chosen[i]), plan, viewer, now));
+    DELTAMESH_CHECK(make_version(key, std::move(chosen[i]), plan, viewer, now));
     plan.needed.erase(key);
     plan.staying.insert(key);
     viewer.due.erase(key);

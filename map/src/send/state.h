@@ -79,8 +79,8 @@ struct MapSender::State {
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;
   const KnownVersion* base_for(const Viewer& viewer, const PartKey& key) const;
   Result<ChosenVersion> choose_version(const SourcePart& source, const Viewer& viewer);
-  Result<void> make_newest(const PartKey& key, ChosenVersion chosen, const SendPlan& plan, Viewer& viewer,
-                           double now);
+  Result<void> make_version(const PartKey& key, ChosenVersion chosen, const SendPlan& plan, Viewer& viewer,
+                            double now);
   Result<void> make_removal(const PartKey& key, const SendPlan& plan, Viewer& viewer, double now);
 };
 

@@ -152,7 +152,7 @@ using KnownVersions = std::map<PartKey, std::map<std::uint32_t, KnownVersion>>;
 struct SendPlan {
   std::set<PartKey> wanted;    ///< parts that the receiver is to have
   std::set<PartKey> unwanted;  ///< other parts in its view: coarser or finer copies of these
-  std::set<PartKey> needed;    ///< parts whose newest version is to be sent
+  std::set<PartKey> needed;    ///< parts of which a newer version is to be sent
   /// Of these, what is needed for its quality alone: the first revision of what the receiver has.
   std::map<PartKey, std::uint64_t> refined;
   std::set<PartKey> removed;  ///< parts that are to go
