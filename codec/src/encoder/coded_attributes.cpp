@@ -25,7 +25,7 @@ bool attributes_use_positions(const MeshView& mesh, const EncodeOptions& options
 }
 
 Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& topology,
-                                  const EncodeOptions& options, const Candidate& geometry) {
+                                  const EncodeOptions& options, const Candidate& geometry, bool about) {
   const std::span<const float> positions = geometry.positions;
   const std::span<const std::uint32_t> copies =
       topology.has_seams ? topology.seams.split.geometric : std::span<const std::uint32_t>();
@@ -35,8 +35,10 @@ Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& top
                            is_split ? split : positions);
   if (geometry.grid) surface.set_known(geometry.grid->known);
   const ModelStates* const states = options.starting_states;
-  AttributeSettings settings{
-      .quality = options.attributes, .plain = options.profile == Profile::kZstd, .effort = options.effort};
+  AttributeSettings settings{.quality = options.attributes,
+                             .plain = options.profile == Profile::kZstd,
+                             .effort = options.effort,
+                             .about = about};
   const auto& attributes = mesh.attributes;
   std::vector<CodedAttribute> coded(attributes.size());
   std::vector<Attribute> decoded(attributes.size());

@@ -44,8 +44,9 @@ EncodeOptions with_bounds(const EncodeOptions& options, const AttributeQuality& 
   return result;
 }
 
-/// Attributes within their bounds, on the geometry that keeps `request`.
-Result<Parts> code_both(const PartsTask& task, const Request& request, const AttributeQuality& bounds) {
+/// Attributes within their bounds, on the geometry that keeps `request`. `about`: see code_attributes().
+Result<Parts> code_both(const PartsTask& task, const Request& request, const AttributeQuality& bounds,
+                        bool about = false) {
   const TopologyChunks& chunks = task.topology_chunks;
   const StreamRest rest{task.header, task.other_bytes + chunks.other_bytes(), chunks.faces.bytes()};
   DELTAMESH_TRY(Candidate geometry, code_geometry(request, task.source, rest));
@@ -57,7 +58,7 @@ Result<Parts> code_both(const PartsTask& task, const Request& request, const Att
     parts.in_grid = GridTopology{std::move(ordered), std::move(ordered_chunks)};
   }
   DELTAMESH_TRY(parts.attributes, code_attributes(task.mesh, order_of(task, parts),
-                                                  with_bounds(task.options, bounds), parts.geometry));
+                                                  with_bounds(task.options, bounds), parts.geometry, about));
   task.progress.tick();
   const std::uint64_t bytes = bytes_of(task, parts);
   return Parts{std::move(parts), bytes};
@@ -86,12 +87,14 @@ class SharedBudget {
   }
 
  private:
+  static constexpr bool kAbout = true;  ///< attributes: no error is promised
   static constexpr double kFinest = 1.0 / 4096;
   static constexpr double kCoarsest = 4096;
   static constexpr double kAim = -0.005;   ///< an excess: 0.997 of the bytes
   static constexpr double kFull = -0.015;  ///< 0.99
   static constexpr double kWell = -0.045;  ///< 0.97
   static constexpr double kAmple = -0.6;   ///< 0.66: what is exact may fit
+  static constexpr double kJump = 0.15;    ///< octaves: places come in levels
   static constexpr double kSlope = -0.5;   ///< of all bytes over all errors, mostly; of attributes alone -1
 
   /// Binary logarithm of the bytes over those asked for.
@@ -106,6 +109,7 @@ class SharedBudget {
                      .slope = kSlope,
                      .aim = kAim,
                      .tolerance = kWell,
+                     .narrowest = kJump,
                      .trials = 6});
     bool may_be_exact = request_.coder != GeometryCoder::kHighpass;
     while (!bracket.is_done()) {
@@ -137,7 +141,7 @@ class SharedBudget {
                      .slope = -std::max(share, 0.3),
                      .aim = kAim,
                      .tolerance = kFull,
-                     .trials = 3});
+                     .trials = 4});
     bracket.tell(excess(*best_));
     return bracket;
   }
@@ -151,7 +155,7 @@ class SharedBudget {
           ChunkList attributes,
           code_attributes(task_.mesh, order_of(task_, coded),
                           with_bounds(task_.options, scaled(task_.options.attributes, bracket.setting())),
-                          coded.geometry));
+                          coded.geometry, kAbout));
       task_.progress.tick();
       if (attributes.bytes() == coded.attributes.bytes()) break;  // exact, or an exact coder is smaller
       std::swap(coded.attributes, attributes);
@@ -183,7 +187,8 @@ class SharedBudget {
       request.step = kStepOfError * scale * unit_;
     else
       request.bounds.max_error = scale * unit_;
-    DELTAMESH_TRY(Parts parts, code_both(task_, request, scaled(task_.options.attributes, of_attributes)));
+    DELTAMESH_TRY(Parts parts,
+                  code_both(task_, request, scaled(task_.options.attributes, of_attributes), kAbout));
     const Candidate& geometry = parts.coded.geometry;
     const bool is_on_lattice = geometry.coder == kGeometryPredictive && !geometry.grid &&
                                geometry.predictive.kind == PositionKind::kLattice;

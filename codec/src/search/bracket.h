@@ -16,7 +16,7 @@ namespace deltamesh {
 
 /// What is known before the first trial. An *excess* says how far a trial is from what is asked for: 0 or
 /// less where it keeps it. It is taken to be a line over the binary logarithm of the setting; the binary
-/// logarithm of an error over its bound nearly is one, and so are bits per coordinate above a budget.
+/// logarithm of an error over its bound nearly is one, and so is excess_of_bytes().
 struct BracketPlan {
   double first = 1;  ///< of the first trial, above 0
   double least = 0;  ///< settings that make sense
@@ -27,7 +27,9 @@ struct BracketPlan {
   double slope = 1;
   double aim = 0;        ///< excess that forecasts aim at, 0 or less
   double tolerance = 0;  ///< an excess between this, 0 or less, and 0 ends the search
-  int trials = 8;        ///< at most, once one keeps; three times as many where none does
+  double narrowest =
+      0.0015;      ///< octaves between a setting that keeps and one that does not, which end the search
+  int trials = 8;  ///< at most, once one keeps; three times as many where none does
 };
 
 class Bracket {
@@ -73,9 +75,8 @@ class Bracket {
   static constexpr double kFlattest = 0.3;  ///< of the slope forecast
   static constexpr double kSteepest = 2;    ///< likewise
   static constexpr double kEdge = 0.04;     ///< share of the bracket that no trial comes nearer to its ends
-  static constexpr double kNarrowest = 0.0015;  ///< octaves
-  static constexpr int kStuck = 3;              ///< trials on one side, after which the bracket is halved
-  static constexpr double kStretch = 0.25;      ///< octaves that a move is at least after kStuck short ones
+  static constexpr int kStuck = 3;          ///< trials on one side, after which the bracket is halved
+  static constexpr double kStretch = 0.25;  ///< octaves that a move is at least after kStuck short ones
 
   double best_end() const noexcept { return plan_.slope > 0 ? plan_.most : plan_.least; }
   double safe_end() const noexcept { return plan_.slope > 0 ? plan_.least : plan_.most; }
@@ -120,7 +121,7 @@ class Bracket {
         const double high = std::round(portable_exp2(std::max(good_.at, bad_.at)));
         if (high - low < 1.5) return false;
         setting = std::clamp(setting, low + 1, high - 1);
-      } else if (std::abs(good_.at - bad_.at) < kNarrowest) {
+      } else if (std::abs(good_.at - bad_.at) < plan_.narrowest) {
         return false;
       }
     }
@@ -150,10 +151,15 @@ inline double excess_of_load(double load) noexcept {
   return std::isfinite(load) ? portable_log2(load) : kInfinity;
 }
 
-/// Of bytes over a budget, in bits per coordinate of `vertices`.
+/// Of bytes over a budget. Numbers of a spread s take about b = log2(1 + s / step) bits each: so 2^b - 1, b
+/// being the bits per coordinate of `vertices`, halves where the step doubles, at all rates.
 inline double excess_of_bytes(std::uint64_t bytes, std::uint64_t budget, std::uint64_t vertices) noexcept {
-  return 8 * (static_cast<double>(bytes) - static_cast<double>(budget)) /
-         (3 * static_cast<double>(std::max<std::uint64_t>(vertices, 1)));
+  const double coordinates = 3 * static_cast<double>(std::max<std::uint64_t>(vertices, 1));
+  const auto log_spread = [&](std::uint64_t count) {
+    const double bits = 8 * static_cast<double>(std::max<std::uint64_t>(count, 1)) / coordinates;
+    return bits + portable_log2(1 - portable_exp2(-bits));
+  };
+  return log_spread(bytes) - log_spread(budget);
 }
 
 }  // namespace deltamesh

@@ -223,14 +223,23 @@ class HighpassSearch {
 
   /// The finest step whose stream fits; with the fewest anchors where none does.
   Result<void> fit_bytes(HighpassSettings settings) {
-    DELTAMESH_TRY(BudgetStep found, step_for_bytes(settings, *request_.target_bytes, trials_));
+    const std::uint64_t budget = *request_.target_bytes;
+    DELTAMESH_TRY(BudgetStep found, step_for_bytes(settings, budget, trials_));
     if (!found.fits && settings.anchors > trials_.fewest_anchors() && !fixed_anchors()) {
       settings.anchors = trials_.fewest_anchors();
-      DELTAMESH_TRY(found, step_for_bytes(settings, *request_.target_bytes, trials_));
+      DELTAMESH_TRY(found, step_for_bytes(settings, budget, trials_));
     }
     if (!found.fits) return too_few_bytes(found.fewest_bytes);
     settings.step = found.step;
-    DELTAMESH_TRY([[maybe_unused]] const Loads loads, record_.make(settings));
+    // Deltas of displaced positions may take more bytes than those the step was chosen by.
+    constexpr int kMostCorrections = 6;
+    for (int i = 0; i < kMostCorrections; ++i) {
+      DELTAMESH_TRY([[maybe_unused]] const Loads loads, record_.make(settings));
+      if (!record_.last() || record_.last()->bytes <= budget) break;
+      const double over =
+          excess_of_bytes(record_.last()->bytes, budget - budget / 500, trials_.most_anchors());
+      settings.step *= portable_exp2((1 + i) * over);
+    }
     return {};
   }
 

@@ -153,25 +153,30 @@ class BudgetSearch {
   }
 
  private:
-  /// What `trial` takes over the budget, in bits per coordinate. The first one says in which form all are.
-  double try_lattice(const LatticeTrial& trial) {
-    Candidate candidate = trials_.code(trial, form_);
-    form_ = candidate.form;
-    return consider(std::move(candidate));
-  }
-
   std::uint64_t budget() const noexcept { return *trials_.request().target_bytes; }
   double excess(std::uint64_t bytes) const noexcept {
     return excess_of_bytes(bytes, budget(), trials_.source().positions.size());
   }
   double tolerance() const noexcept { return excess(budget() - budget() / kOneLeft); }
 
-  double consider(Candidate candidate) {
-    const std::uint64_t bytes = candidate.bytes;
-    fewest_ = std::min(fewest_, bytes);
-    if (bytes <= budget() && (!best_ || candidate.quality.vde_rms < best_->quality.vde_rms))
+  /// `code(setting)`: a candidate, or none where the setting is finer than can be. Of those that fit the
+  /// finest is considered: the VDE of a few coarse steps says little.
+  template <class Code>
+  void fit(const BracketPlan& plan, const Code& code) {
+    std::optional<Candidate> finest;
+    Bracket bracket(plan);
+    while (!bracket.is_done()) {
+      std::optional<Candidate> candidate = code(bracket.setting());
+      if (candidate) fewest_ = std::min(fewest_, candidate->bytes);
+      if (bracket.tell(candidate ? excess(candidate->bytes) : kInfinity)) finest = std::move(candidate);
+    }
+    if (finest) consider(*std::move(finest));
+  }
+
+  void consider(Candidate candidate) {
+    fewest_ = std::min(fewest_, candidate.bytes);
+    if (candidate.bytes <= budget() && (!best_ || candidate.quality.vde_rms < best_->quality.vde_rms))
       best_ = std::move(candidate);
-    return excess(bytes);
   }
 
   /// Whether exact positions may be as small as what fits, which is nearly as fine as they are.
@@ -191,33 +196,39 @@ class BudgetSearch {
     if (in_one_form / 10 * 9 <= budget()) consider(trials_.code_exactly());
   }
 
+  /// Axes whose coordinates are on a grid, as those of heights, keep that as long as it is not finer.
   void fit_lattice() {
     const Box& box = trials_.source().box;
-    Bracket bracket({.first = trials_.step_for_bits(kDefaultLatticeBits),
-                     .least = std::max(finest_step(box), 1e-30),
-                     .most = 2 * std::max(box.longest_side(), 1e-30),  // all coordinates are 0
-                     .slope = -1,
-                     .aim = tolerance() / 2,
-                     .tolerance = tolerance(),
-                     .trials = kMostTrials});
-    while (!bracket.is_done())
-      bracket.tell(
-          try_lattice(trials_.try_lattice(cubic_lattice(box, short_float_below(bracket.setting())))));
+    const double first = trials_.step_for_bits(kDefaultLatticeBits);
+    const std::array<AxisGrid, 3> axes = trials_.axes(first / 8);
+    fit({.first = first,
+         .least = std::max(finest_step(box), 1e-30),
+         .most = 2 * std::max(box.longest_side(), 1e-30),  // all coordinates are 0
+         .slope = -1,
+         .aim = tolerance() / 2,
+         .tolerance = tolerance(),
+         .trials = kMostTrials},
+        [&](double step) {
+          // The first one says in which form all are.
+          Candidate candidate =
+              trials_.code(trials_.try_lattice(grid_lattice(box, axes, short_float_below(step))), form_);
+          form_ = candidate.form;
+          return std::optional(std::move(candidate));
+        });
   }
 
-  void fit_levels(const VoxelFit& fit) {
-    Bracket bracket({.first = kFirstLevels,
-                     .least = 1,
-                     .most = kMostLevels,
-                     .whole = true,
-                     .slope = 1.0 / 3,  // one coordinate costs a bit more where the levels double
-                     .tolerance = tolerance(),
-                     .trials = kMostTrials});
-    while (!bracket.is_done()) {
-      const auto trial = trials_.try_levels(fit, static_cast<std::uint32_t>(bracket.setting()));
-      auto candidate = trial ? trials_.code_in_cubes(*trial) : std::nullopt;
-      bracket.tell(candidate ? consider(*std::move(candidate)) : kInfinity);
-    }
+  void fit_levels(const VoxelFit& voxels) {
+    fit({.first = kFirstLevels,
+         .least = 1,
+         .most = kMostLevels,
+         .whole = true,
+         .slope = 1.0 / 3,  // one coordinate costs a bit more where the levels double
+         .tolerance = tolerance(),
+         .trials = kMostTrials},
+        [&](double levels) {
+          const auto trial = trials_.try_levels(voxels, static_cast<std::uint32_t>(levels));
+          return trial ? trials_.code_in_cubes(*trial) : std::nullopt;
+        });
   }
 
   const PredictiveTrials& trials_;

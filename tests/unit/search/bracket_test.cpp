@@ -72,7 +72,21 @@ TEST(Bracket, ABudgetIsFilledFromBelow) {
     EXPECT_TRUE(found.kept);
     EXPECT_LE(bytes(found.setting), budget + 1.0);
     EXPECT_GE(bytes(found.setting), budget - 9.0);
-    EXPECT_LE(found.trials, 8);
+    EXPECT_LE(found.trials, 5);
+  }
+}
+
+/// At every rate, the settings of a budget being far from where the search begins.
+TEST(Bracket, BytesOfASpreadAreForecastAtOnce) {
+  const auto bytes = [](double step) { return 375 * std::log2(1 + 1 / step); };
+  for (const double wanted : {1e-4, 0.02, 0.5, 3.0, 40.0}) {
+    const auto budget = static_cast<std::uint64_t>(bytes(wanted));
+    const Found found = search(
+        {.first = 0.1, .slope = -1, .aim = -0.01, .tolerance = -0.05, .trials = 10},
+        [&](double step) { return excess_of_bytes(static_cast<std::uint64_t>(bytes(step)), budget, 1000); });
+    EXPECT_TRUE(found.kept);
+    // Moves are three octaves at most.
+    EXPECT_LE(found.trials, 3 + static_cast<int>(std::abs(std::log2(wanted / 0.1)) / 3)) << wanted;
   }
 }
 

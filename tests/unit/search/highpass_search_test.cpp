@@ -163,6 +163,33 @@ TEST(HighpassSearch, ByteBudgetIsUsedUpAndKept) {
   }
 }
 
+/// What planned cycles make of the deltas takes more bytes than the deltas that a step is chosen by.
+class DisplacedTrials final : public FormulaTrials {
+ public:
+  double share = 0.01;  ///< by which it is more
+
+  Result<Candidate> make(const HighpassSettings& settings) override {
+    DELTAMESH_TRY(Candidate candidate, FormulaTrials::make(settings));
+    candidate.bytes += static_cast<std::uint64_t>(share * static_cast<double>(candidate.bytes));
+    return candidate;
+  }
+};
+
+TEST(HighpassSearch, ByteBudgetIsKeptWhereDisplacedDeltasTakeMore) {
+  for (const double share : {0.0005, 0.004, 0.03, 0.1}) {
+    for (const std::uint64_t target : {2000U, 9000U, 30000U, 60000U}) {
+      DisplacedTrials coder;
+      coder.share = share;
+      const auto kept = search_highpass({.target_bytes = target}, coder);
+      ASSERT_TRUE(kept) << target << " " << share;
+      EXPECT_LE(coder.runs, 4);
+      EXPECT_LE(kept->bytes, target);
+      EXPECT_GE(static_cast<double>(kept->bytes), 0.95 * static_cast<double>(target))
+          << target << " " << share;
+    }
+  }
+}
+
 TEST(HighpassSearch, TooSmallABudgetTellsTheLeast) {
   FormulaTrials coder;
   const auto result = search_highpass({.target_bytes = 100}, coder);

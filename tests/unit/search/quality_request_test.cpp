@@ -191,6 +191,60 @@ TEST(QualityRequest, TargetBytesIsNearlyUsedUp) {
   }
 }
 
+/// Coarse lattices, whose VDE says little: of those that fit the finest is taken.
+TEST(QualityRequest, ASmallBudgetIsNearlyUsedUpByALattice) {
+  const Mesh mesh = shaken_grid();
+  for (const std::uint64_t target : {400U, 700U, 1000U, 1500U, 2200U, 3200U, 5000U}) {
+    const auto encoded =
+        encode(mesh, {.quality = {.target_bytes = target}, .geometry = GeometryCoder::kPredictive});
+    ASSERT_TRUE(encoded) << describe(encoded.error());
+    EXPECT_LE(encoded->bytes.size(), target);
+    EXPECT_GE(static_cast<double>(encoded->bytes.size()), 0.9 * static_cast<double>(target)) << target;
+  }
+}
+
+/// Heights over a grid, which no lattice of one step for all axes suits.
+TEST(QualityRequest, AsManyBytesAsABoundTakesGiveItsQuality) {
+  Mesh heights = shaken_grid();
+  const Mesh grid = test::bumpy_grid(70, 60);
+  for (std::size_t i = 0; i < grid.positions.size(); ++i)
+    if (i % 3 != 2) heights.positions[i] = grid.positions[i];
+  for (const Mesh& mesh : {shaken_grid(), heights}) {
+    for (const double share : {0.02, 0.1, 0.5}) {
+      const auto bounded =
+          encode(mesh, {.quality = {.max_error = percent(share)}, .geometry = GeometryCoder::kPredictive});
+      ASSERT_TRUE(bounded);
+      const auto fitting = encode(
+          mesh, {.quality = {.target_bytes = bounded->bytes.size()}, .geometry = GeometryCoder::kPredictive});
+      ASSERT_TRUE(fitting) << describe(fitting.error());
+      EXPECT_LE(fitting->bytes.size(), bounded->bytes.size());
+      EXPECT_LE(fitting->report.stream.quality.max_error, 1.4 * bounded->report.stream.quality.max_error);
+    }
+  }
+}
+
+/// Highpass coding has the lower VDE where bytes are few, but may bend the mesh.
+TEST(QualityRequest, BytesAreNotFilledByAMeshThatBends) {
+  const Mesh mesh = shaken_grid();
+  int bent = 0;
+  for (const std::uint64_t target : {600U, 1000U, 1600U, 2500U}) {
+    const auto encoded = [&](GeometryCoder geometry, std::optional<QualityBound> max_error) {
+      const auto stream =
+          encode(mesh, {.quality = {.max_error = max_error, .target_bytes = target}, .geometry = geometry});
+      EXPECT_TRUE(stream) << describe(stream.error());
+      return stream->report.stream;
+    };
+    const StreamInfo highpass = encoded(GeometryCoder::kHighpass, {});
+    const StreamInfo predictive = encoded(GeometryCoder::kPredictive, {});
+    const double bearable = 0.01 * highpass.diagonal;
+    if (highpass.quality.max_error <= bearable || predictive.quality.max_error > bearable) continue;
+    ++bent;
+    EXPECT_LE(encoded(GeometryCoder::kAuto, {}).quality.max_error, bearable) << target;
+    EXPECT_LE(encoded(GeometryCoder::kAuto, kNoBound).quality.vde_rms, highpass.quality.vde_rms) << target;
+  }
+  EXPECT_GT(bent, 0);
+}
+
 /// All colours are within 1 of each other: exact ones take many bytes, those that may be off by 1 none.
 TEST(QualityRequest, BytesThatColorsNeedNoMoreGoToPlaces) {
   Mesh mesh = shaken_grid();

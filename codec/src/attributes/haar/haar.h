@@ -25,17 +25,19 @@ struct HaarModels;
 /// `rows`: of 3 or 4 components of `type`. `rms`: the root mean square of the errors of all values of red,
 /// green and blue, 255ths of their range, above 0, and of those of alpha; it is met within 1 % from below,
 /// unless nothing is left to be saved. Empty for other types than u8, u16 and f32, for floats that are not in
-/// [0, 1], and where levels of 8 bits cannot keep `rms`. `start`: null for fresh models. O(n) for each of a
-/// few trials.
+/// [0, 1], and where levels of 8 bits cannot keep `rms`. `start`: null for fresh models. `about`: one trial,
+/// whose error is as it comes. O(n) for each of a few trials.
 std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
                                                         double rms, const AttributeSurface& surface,
-                                                        const HaarModels* start = nullptr);
+                                                        const HaarModels* start = nullptr,
+                                                        bool about = false);
 
 /// `rows`: of one component of `type`, u8, u16 or f32. `rms`: likewise, in the unit of the numbers. Empty for
 /// numbers that are not finite or all the same, and where 255 levels and their 64ths cannot keep `rms`.
 std::optional<CodedValues<std::byte>> write_haar_numbers(ComponentType type, const AttributeRows& rows,
                                                          double rms, const AttributeSurface& surface,
-                                                         const HaarModels* start = nullptr);
+                                                         const HaarModels* start = nullptr,
+                                                         bool about = false);
 
 /// The values. O(n), without recursion. Errors: kTruncated, kInvalidStream [HAAR-6, CMP-3].
 Result<std::vector<std::byte>> read_haar_values(std::span<const std::byte> bytes, const Attribute& shape,

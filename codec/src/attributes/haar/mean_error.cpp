@@ -24,7 +24,8 @@ constexpr std::uint32_t kMoreSteps = 4;
 /// `picture`: of `rows`.
 std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, ComponentType type,
                                                   const AttributeRows& rows, double rms,
-                                                  const AttributeSurface& surface, const HaarModels* start) {
+                                                  const AttributeSurface& surface, const HaarModels* start,
+                                                  bool about) {
   const double unit = picture.fields.scale.unit;  // 1 of colours
   const double slope = picture.fields.axes == 1 ? kSlopeOfOne : kSlope;
   const auto levels = make_haar_levels(surface);
@@ -37,6 +38,7 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
                    .aim = -kTolerance / 2,
                    .tolerance = portable_log2(1 - kTolerance),
                    .trials = 12});
+  if (about) return writer.code(static_cast<std::uint32_t>(bracket.setting()), type, start);
   std::optional<CodedValues<std::byte>> best;
   double kept = 0;
   while (!bracket.is_done()) {
@@ -63,18 +65,18 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
 
 std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
                                                         double rms, const AttributeSurface& surface,
-                                                        const HaarModels* start) {
+                                                        const HaarModels* start, bool about) {
   auto picture = picture_of_colors(type, rows);
   if (!picture) return std::nullopt;
-  return search_step(*std::move(picture), type, rows, rms, surface, start);
+  return search_step(*std::move(picture), type, rows, rms, surface, start, about);
 }
 
 std::optional<CodedValues<std::byte>> write_haar_numbers(ComponentType type, const AttributeRows& rows,
                                                          double rms, const AttributeSurface& surface,
-                                                         const HaarModels* start) {
+                                                         const HaarModels* start, bool about) {
   auto picture = picture_of_numbers(type, rows);
   if (!picture) return std::nullopt;
-  return search_step(*std::move(picture), type, rows, rms, surface, start);
+  return search_step(*std::move(picture), type, rows, rms, surface, start, about);
 }
 
 }  // namespace deltamesh
