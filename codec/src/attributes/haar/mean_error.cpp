@@ -15,9 +15,13 @@
 namespace deltamesh {
 namespace {
 
-constexpr double kStepOfRms = 64 * 3.3;  ///< 64ths of a level; of photographs
-constexpr double kSlope = 0.72;          ///< of the error over the step, as logarithms; of photographs
-constexpr double kSlopeOfOne = 0.95;     ///< likewise, of one axis
+/// The step, 64ths of a level, that leaves an error of 1, and the slope of errors over steps, as logarithms.
+struct StepForecast {
+  double step_of_one;
+  double slope;
+};
+constexpr StepForecast kOfPhotographs{137, 0.72};
+constexpr StepForecast kOfOneAxis{211, 0.95};
 constexpr double kTolerance = 0.01;
 constexpr std::uint32_t kMoreSteps = 4;
 
@@ -27,14 +31,15 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
                                                   const AttributeSurface& surface, const HaarModels* start,
                                                   bool about) {
   const double unit = picture.fields.scale.unit;  // 1 of colours
-  const double slope = picture.fields.axes == 1 ? kSlopeOfOne : kSlope;
+  const StepForecast forecast = picture.fields.axes == 1 ? kOfOneAxis : kOfPhotographs;
   const auto levels = make_haar_levels(surface);
   const HaarWriter writer(std::move(picture), levels);
-  Bracket bracket({.first = std::round(kStepOfRms * rms / unit),
+  const double first = forecast.step_of_one * portable_exp2(portable_log2(rms / unit) / forecast.slope);
+  Bracket bracket({.first = std::round(first),
                    .least = 1,
                    .most = kMostHaarStep,
                    .whole = true,
-                   .slope = slope,
+                   .slope = forecast.slope,
                    .aim = -kTolerance / 2,
                    .tolerance = portable_log2(1 - kTolerance),
                    .trials = 12});
