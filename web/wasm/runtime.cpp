@@ -15,6 +15,9 @@ void operator delete(void* memory, std::size_t) noexcept { release(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
+/// The same of all modules that work together.
+DELTAMESH_EXPORT(release_of) std::uint32_t release_of() { return DELTAMESH_RELEASE; }
+
 // What emscripten would otherwise import from JavaScript.
 extern "C" {
 void emscripten_notify_memory_growth(std::size_t) {}

@@ -37,9 +37,8 @@ struct QualityRequest {
   std::optional<QualityBound> lfe = std::nullopt;  ///< low-frequency error, eq. 1
   /// No vertex is farther off; not in the paper's unit. Or kNoBound, where something else is asked for.
   std::optional<QualityBound> max_error = std::nullopt;
-  /// The whole stream has no more bytes. Alone: the lowest VDE that fits, of streams with a largest error of
-  /// at most 1 % of the diagonal where there is one (unless `max_error` is kNoBound); where there are
-  /// attributes, all errors grow together (AttributeQuality::is_asked).
+  /// The whole stream has no more bytes. Alone: the finest that fits, by the coder that leaves the lower
+  /// VDE; where there are attributes, all errors grow together (AttributeQuality::is_asked).
   std::optional<std::uint64_t> target_bytes = std::nullopt;
 
   bool empty() const noexcept { return !vde && !lfe && !max_error && !target_bytes; }

@@ -16,7 +16,7 @@ namespace deltamesh {
 bool attributes_use_positions(const MeshView& mesh, const EncodeOptions& options) noexcept;
 
 /// One chunk for each attribute, in the mesh's order, within options.attributes, on `geometry`, whose order
-/// `topology` has. `about`: mean errors need not be met, which is quicker. Errors: kInvalidMesh.
+/// `topology` has. `about`: see AttributeSettings. Errors: kInvalidMesh.
 Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& topology,
                                   const EncodeOptions& options, const Candidate& geometry,
                                   bool about = false);

@@ -87,7 +87,8 @@ class SharedBudget {
   }
 
  private:
-  static constexpr bool kAbout = true;  ///< attributes: no error is promised
+  /// At scales by this factor larger or smaller another form may be the smallest.
+  static constexpr double kOtherForm = 4;
   static constexpr double kFinest = 1.0 / 4096;
   static constexpr double kCoarsest = 4096;
   static constexpr double kAim = -0.005;   ///< an excess: 0.997 of the bytes
@@ -96,6 +97,9 @@ class SharedBudget {
   static constexpr double kAmple = -0.6;   ///< 0.66: what is exact may fit
   static constexpr double kJump = 0.15;    ///< octaves: places come in levels
   static constexpr double kSlope = -0.5;   ///< of all bytes over all errors, mostly; of attributes alone -1
+
+  /// No error of an attribute is promised, so that those asked for are only nearly met.
+  bool about() const noexcept { return !task_.options.attributes.is_asked; }
 
   /// Binary logarithm of the bytes over those asked for.
   double excess(const Parts& parts) const noexcept {
@@ -155,7 +159,7 @@ class SharedBudget {
           ChunkList attributes,
           code_attributes(task_.mesh, order_of(task_, coded),
                           with_bounds(task_.options, scaled(task_.options.attributes, bracket.setting())),
-                          coded.geometry, kAbout));
+                          coded.geometry, about()));
       task_.progress.tick();
       if (attributes.bytes() == coded.attributes.bytes()) break;  // exact, or an exact coder is smaller
       std::swap(coded.attributes, attributes);
@@ -180,7 +184,9 @@ class SharedBudget {
 
   Result<Parts> code(double scale, double of_attributes) {
     Request request = request_;
-    if (best_) request.form = form_;  // while nothing fits, every form counts
+    // While nothing fits, every form counts.
+    const double away = std::max(scale / scale_of_form_, scale_of_form_ / scale);
+    if (best_ && away < kOtherForm) request.form = form_;
     // A step needs no search of its own, and leaves about such an error.
     constexpr double kStepOfError = 0.22;
     if (request.coder == GeometryCoder::kHighpass)
@@ -188,11 +194,14 @@ class SharedBudget {
     else
       request.bounds.max_error = scale * unit_;
     DELTAMESH_TRY(Parts parts,
-                  code_both(task_, request, scaled(task_.options.attributes, of_attributes), kAbout));
+                  code_both(task_, request, scaled(task_.options.attributes, of_attributes), about()));
     const Candidate& geometry = parts.coded.geometry;
     const bool is_on_lattice = geometry.coder == kGeometryPredictive && !geometry.grid &&
                                geometry.predictive.kind == PositionKind::kLattice;
-    if (is_on_lattice) form_ = geometry.form;
+    if (is_on_lattice && !request.form) {
+      form_ = geometry.form;
+      scale_of_form_ = scale;
+    }
     return parts;
   }
 
@@ -211,8 +220,8 @@ class SharedBudget {
   double unit_;       ///< the largest error at a scale of 1
   double scale_ = 1;  ///< of the errors of places
   double scale_of_attributes_ = 1;
-  /// Of the last lattice. What is smallest at one scale is so, or nearly, at all.
-  std::optional<PositionForm> form_;
+  std::optional<PositionForm> form_;  ///< the smallest of a lattice
+  double scale_of_form_ = 1;          ///< at this scale
   std::optional<Parts> best_;
   bool is_exact_ = false;  ///< best_
   std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();

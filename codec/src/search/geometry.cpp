@@ -56,13 +56,6 @@ const Error& nearer(const Error& a, const Error& b) noexcept {
   return a.best_bytes <= b.best_bytes ? a : b;
 }
 
-/// Of two streams that fit: by VDE, unless one of them bends the mesh by more than anyone takes for it.
-bool is_better(const Quality& a, const Quality& b, double bearable_error) noexcept {
-  const bool a_bends = a.max_error > bearable_error;
-  const bool b_bends = b.max_error > bearable_error;
-  return a_bends == b_bends ? a.vde_rms < b.vde_rms : b_bends;
-}
-
 /// Predictive coding is quick; so it comes first, but at effort 0 where a sample of the mesh speaks against
 /// it. Highpass coding at the same VDE is forecast without a solve.
 Result<Candidate> code_smaller(const Request& request, const SourceGeometry& source, const StreamRest& rest) {
@@ -87,9 +80,8 @@ Result<Candidate> code_smaller(const Request& request, const SourceGeometry& sou
   auto highpass = search_highpass(request, highpass_trials);
   if (!highpass) return predictive ? std::move(predictive) : nearer(predictive.error(), highpass.error());
   if (!predictive) return highpass;
-  const bool better = request.has_bounds()
-                          ? highpass->bytes < predictive->bytes
-                          : is_better(highpass->quality, predictive->quality, request.bearable_error);
+  const bool better = request.has_bounds() ? highpass->bytes < predictive->bytes
+                                           : highpass->quality.vde_rms < predictive->quality.vde_rms;
   return better ? std::move(highpass) : std::move(predictive);
 }
 

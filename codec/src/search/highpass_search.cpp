@@ -231,16 +231,17 @@ class HighpassSearch {
     }
     if (!found.fits) return too_few_bytes(found.fewest_bytes);
     settings.step = found.step;
-    // Deltas of displaced positions may take more bytes than those the step was chosen by.
-    constexpr int kMostCorrections = 6;
-    for (int i = 0; i < kMostCorrections; ++i) {
+    // Deltas of displaced positions may take more bytes than those the step was chosen by, and do not shrink
+    // quite as forecast: hence further each time.
+    constexpr int kMostCorrections = 5;
+    for (int i = 0;; ++i) {
       DELTAMESH_TRY([[maybe_unused]] const Loads loads, record_.make(settings));
-      if (!record_.last() || record_.last()->bytes <= budget) break;
+      if (!record_.last() || record_.last()->bytes <= budget) return {};
+      if (i == kMostCorrections) return too_few_bytes(record_.last()->bytes);
       const double over =
           excess_of_bytes(record_.last()->bytes, budget - budget / 500, trials_.most_anchors());
-      settings.step *= portable_exp2((1 + i) * over);
+      settings.step = std::min(settings.step * portable_exp2((1 + i) * over), coarsest_step(trials_));
     }
-    return {};
   }
 
   const Request& request_;

@@ -153,6 +153,9 @@ class BudgetSearch {
   }
 
  private:
+  /// At steps by this factor larger or smaller another form may be the smallest.
+  static constexpr double kOtherForm = 4;
+
   std::uint64_t budget() const noexcept { return *trials_.request().target_bytes; }
   double excess(std::uint64_t bytes) const noexcept {
     return excess_of_bytes(bytes, budget(), trials_.source().positions.size());
@@ -160,9 +163,9 @@ class BudgetSearch {
   double tolerance() const noexcept { return excess(budget() - budget() / kOneLeft); }
 
   /// `code(setting)`: a candidate, or none where the setting is finer than can be. Of those that fit the
-  /// finest is considered: the VDE of a few coarse steps says little.
+  /// finest is considered, if any does: the VDE of a few coarse steps says little.
   template <class Code>
-  void fit(const BracketPlan& plan, const Code& code) {
+  bool fit(const BracketPlan& plan, const Code& code) {
     std::optional<Candidate> finest;
     Bracket bracket(plan);
     while (!bracket.is_done()) {
@@ -170,7 +173,9 @@ class BudgetSearch {
       if (candidate) fewest_ = std::min(fewest_, candidate->bytes);
       if (bracket.tell(candidate ? excess(candidate->bytes) : kInfinity)) finest = std::move(candidate);
     }
-    if (finest) consider(*std::move(finest));
+    if (!finest) return false;
+    consider(*std::move(finest));
+    return true;
   }
 
   void consider(Candidate candidate) {
@@ -196,25 +201,36 @@ class BudgetSearch {
     if (in_one_form / 10 * 9 <= budget()) consider(trials_.code_exactly());
   }
 
-  /// Axes whose coordinates are on a grid, as those of heights, keep that as long as it is not finer.
+  /// Axes whose coordinates are on a grid, as those of heights, keep that if anything fits so: without it
+  /// coarser lattices take more bytes.
   void fit_lattice() {
-    const Box& box = trials_.source().box;
     const double first = trials_.step_for_bits(kDefaultLatticeBits);
     const std::array<AxisGrid, 3> axes = trials_.axes(first / 8);
-    fit({.first = first,
-         .least = std::max(finest_step(box), 1e-30),
-         .most = 2 * std::max(box.longest_side(), 1e-30),  // all coordinates are 0
-         .slope = -1,
-         .aim = tolerance() / 2,
-         .tolerance = tolerance(),
-         .trials = kMostTrials},
-        [&](double step) {
-          // The first one says in which form all are.
-          Candidate candidate =
-              trials_.code(trials_.try_lattice(grid_lattice(box, axes, short_float_below(step))), form_);
-          form_ = candidate.form;
-          return std::optional(std::move(candidate));
-        });
+    double coarsest = 0;
+    for (const AxisGrid& axis : axes) coarsest = std::max(coarsest, coarsest_step_on(axis));
+    if (coarsest > 0 && fit_lattice(axes, std::min(first, coarsest), coarsest)) return;
+    const double side = std::max(trials_.source().box.longest_side(), 1e-30);
+    fit_lattice({}, first, 2 * side);  // all coordinates are 0
+  }
+
+  bool fit_lattice(const std::array<AxisGrid, 3>& axes, double first, double most) {
+    const Box& box = trials_.source().box;
+    return fit({.first = first,
+                .least = std::max(finest_step(box), 1e-30),
+                .most = most,
+                .slope = -1,
+                .aim = tolerance() / 2,
+                .tolerance = tolerance(),
+                .trials = kMostTrials},
+               [&](double step) {
+                 const bool is_far = std::max(step / step_of_form_, step_of_form_ / step) > kOtherForm;
+                 if (is_far) step_of_form_ = step;
+                 Candidate candidate =
+                     trials_.code(trials_.try_lattice(grid_lattice(box, axes, short_float_below(step))),
+                                  is_far ? std::nullopt : form_);
+                 form_ = candidate.form;
+                 return std::optional(std::move(candidate));
+               });
   }
 
   void fit_levels(const VoxelFit& voxels) {
@@ -232,7 +248,8 @@ class BudgetSearch {
   }
 
   const PredictiveTrials& trials_;
-  std::optional<PositionForm> form_;
+  std::optional<PositionForm> form_;  ///< the smallest
+  double step_of_form_ = kInfinity;   ///< at this step
   std::optional<Candidate> best_;
   std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();
 };

@@ -163,7 +163,6 @@ Result<Request> make_request(const EncodeOptions& options, const SourceGeometry&
   const double implied = kImpliedError * source.extent.diagonal;
   if (options.quality.vde && !options.quality.lfe && !options.quality.max_error && implied > 0)
     request.bounds.max_error = but(implied);
-  if (!options.quality.max_error && implied > 0) request.bearable_error = implied;
   return request;
 }
 

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -60,8 +59,6 @@ inline constexpr int kThoroughEffort = 2;
 struct Request {
   Bounds bounds{};
   std::optional<std::uint64_t> target_bytes = std::nullopt;
-  /// Of two that fit `target_bytes` one whose largest error is above this is the worse.
-  double bearable_error = std::numeric_limits<double>::infinity();
   std::optional<double> step = std::nullopt;
   std::optional<int> bits = std::nullopt;  ///< in place of `step`
   std::optional<std::uint32_t> anchors = std::nullopt;
@@ -85,9 +82,9 @@ struct Request {
 /// `options`, checked, for `source`. Where they say nothing of positions, the default: a largest error of
 /// 0.02 % of the extent's diagonal, and of 4 % of the mean edge, so that the surface's own normals stay
 /// within about a degree on average, however fine the mesh is. A VDE without a positional bound implies a
-/// largest error of kImpliedError of the diagonal, unless the caller wants none; for a number of bytes that
-/// is the bearable error. `source_error` is taken off all bounds. O(1): a sample of the faces tells of edges.
-/// Errors: kUnmetRequest where a bound is not above `source_error`.
+/// largest error of kImpliedError of the diagonal, unless the caller wants none. `source_error` is taken off
+/// all bounds. O(1): a sample of the faces tells of edges. Errors: kUnmetRequest where a bound is not above
+/// `source_error`.
 Result<Request> make_request(const EncodeOptions& options, const SourceGeometry& source);
 
 /// Whether `options` say nothing of how positions are to be coded.

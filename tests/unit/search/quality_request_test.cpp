@@ -223,28 +223,6 @@ TEST(QualityRequest, AsManyBytesAsABoundTakesGiveItsQuality) {
   }
 }
 
-/// Highpass coding has the lower VDE where bytes are few, but may bend the mesh.
-TEST(QualityRequest, BytesAreNotFilledByAMeshThatBends) {
-  const Mesh mesh = shaken_grid();
-  int bent = 0;
-  for (const std::uint64_t target : {600U, 1000U, 1600U, 2500U}) {
-    const auto encoded = [&](GeometryCoder geometry, std::optional<QualityBound> max_error) {
-      const auto stream =
-          encode(mesh, {.quality = {.max_error = max_error, .target_bytes = target}, .geometry = geometry});
-      EXPECT_TRUE(stream) << describe(stream.error());
-      return stream->report.stream;
-    };
-    const StreamInfo highpass = encoded(GeometryCoder::kHighpass, {});
-    const StreamInfo predictive = encoded(GeometryCoder::kPredictive, {});
-    const double bearable = 0.01 * highpass.diagonal;
-    if (highpass.quality.max_error <= bearable || predictive.quality.max_error > bearable) continue;
-    ++bent;
-    EXPECT_LE(encoded(GeometryCoder::kAuto, {}).quality.max_error, bearable) << target;
-    EXPECT_LE(encoded(GeometryCoder::kAuto, kNoBound).quality.vde_rms, highpass.quality.vde_rms) << target;
-  }
-  EXPECT_GT(bent, 0);
-}
-
 /// All colours are within 1 of each other: exact ones take many bytes, those that may be off by 1 none.
 TEST(QualityRequest, BytesThatColorsNeedNoMoreGoToPlaces) {
   Mesh mesh = shaken_grid();
@@ -485,6 +463,37 @@ TEST(QualityRequest, BytesDoNotExceedBoundsOfAttributes) {
                                      .attributes = {.color_error = kBound, .is_asked = true}});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kUnmetRequest);
+}
+
+/// Mean errors that are asked for, too.
+TEST(QualityRequest, BytesDoNotExceedMeanErrorsOfAttributes) {
+  Mesh mesh = shaken_grid();
+  Attribute colors{.kind = AttributeKind::kColor, .type = ComponentType::kU8, .components = 3, .name = "red"};
+  Attribute glow{
+      .kind = AttributeKind::kGeneric, .type = ComponentType::kU8, .components = 1, .name = "glow"};
+  for (std::uint32_t i = 0; i < 3 * mesh.vertex_count(); ++i) {
+    const double smooth = 128 + 60 * std::sin(0.02 * i) + 20 * std::sin(0.9 * i);
+    const auto noise = static_cast<double>((i * 2654435761U) >> 28);
+    colors.values.push_back(static_cast<std::byte>(smooth + noise));
+    if (i % 3 == 0) glow.values.push_back(static_cast<std::byte>(smooth + noise));
+  }
+  mesh.attributes = {colors, glow};
+  const AttributeQuality asked{
+      .color_rms = 1.5, .named = {{.name = "glow", .error = 2, .is_mean = true}}, .is_asked = true};
+  const auto usual = encode(mesh, {.attributes = asked});
+  ASSERT_TRUE(usual) << describe(usual.error());
+  const std::uint64_t places = usual->report.stream.bytes - usual->report.stream.attribute_bytes;
+  for (const std::uint64_t saved : {places / 5, places / 3, places / 2}) {
+    const auto encoded =
+        encode(mesh, {.quality = {.target_bytes = usual->bytes.size() - saved}, .attributes = asked});
+    ASSERT_TRUE(encoded) << describe(encoded.error());
+    const auto decoded = decode(encoded->bytes);
+    ASSERT_TRUE(decoded);
+    const auto comparison = compare(mesh, *decoded, encoded->order);
+    ASSERT_TRUE(comparison);
+    EXPECT_LE(comparison->attributes[0].color_rms, 1.5);
+    EXPECT_LE(comparison->attributes[1].rms, 2);
+  }
 }
 
 TEST(ErrorPeaks, AreLargestFirstAndApart) {

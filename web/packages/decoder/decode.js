@@ -111,6 +111,8 @@ export class Decoder {
     const { memory, calls } = this.#core;
     const env = { memory, allocate: calls.allocate, release: calls.release };
     const part = new WebAssembly.Instance(this.#modules[name], { env }).exports;
+    if (part.release_of() !== calls.release_of())
+      throw new DeltameshError({ code: CODES.noFile, what: `the module ${name} is of another release than core` });
     part.stackRestore(this.#stackOfPart());
     part._initialize();
     return part;

@@ -37,12 +37,12 @@ export interface DecoderOptions {
    * beside this one, or where a bundler has not kept these, their texts, which are bundled. `core` decodes containers, faces,
    * predictive positions and most attributes, `highpass` the positions of highpass streams, `zstd` chunks that zstd coded
    * (the profile zstd; in others a chunk that is smaller so), `grid` maps from voxels, `rare` positions to the last bit, joints, weights, and
-   * attributes of any kind that are coded as numbers (morph targets).
+   * attributes of any kind that are coded as numbers (morph targets). All must be of one release.
    */
   files?: { [module in 'core' | PartName]?: ModuleSource };
   /** Whether the default files are those for machines with SIMD; default: as this machine has it. */
   simd?: boolean;
-  /** Most bytes that the modules may take for their memory, which they share; default 4 GiB. */
+  /** Most bytes that the modules may take for their memory, which they share; default and at most 4 GiB. */
   maxMemory?: number;
 }
 

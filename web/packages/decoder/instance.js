@@ -8,6 +8,7 @@ import { CODES, DeltameshError } from './errors.js';
 const KEPT_BYTES = 2 ** 26;
 const PAGE = 2 ** 16;
 const FIRST_PAGES = 32;
+const MOST_PAGES = 2 ** 16;
 
 const LETTERS = new TextDecoder();
 
@@ -16,8 +17,9 @@ class OutOfMemory extends Error {}
 /** A module at work, with views of its memory that are good until its next call. */
 export class Instance {
   /** `imports`: more of them, by module and name. */
-  constructor(module, maxMemory = 2 ** 32, imports = {}) {
-    const maximum = Math.max(FIRST_PAGES, Math.floor(maxMemory / PAGE));
+  constructor(module, maxMemory = Infinity, imports = {}) {
+    if (!(maxMemory >= 0)) throw new DeltameshError({ code: CODES.invalidArgument, what: 'maxMemory is a number of bytes' });
+    const maximum = Math.min(Math.max(FIRST_PAGES, Math.floor(maxMemory / PAGE)), MOST_PAGES);
     this.memory = new WebAssembly.Memory({ initial: FIRST_PAGES, maximum });
     const env = {
       memory: this.memory,

@@ -43,12 +43,12 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
                    .aim = -kTolerance / 2,
                    .tolerance = portable_log2(1 - kTolerance),
                    .trials = 12});
-  if (about) return writer.code(static_cast<std::uint32_t>(bracket.setting()), type, start);
   std::optional<CodedValues<std::byte>> best;
   double kept = 0;
   while (!bracket.is_done()) {
     auto trial = writer.code(static_cast<std::uint32_t>(bracket.setting()), type, start);
     const double reached = bounded_rms(type, rows, trial.values);
+    if (about && reached < kAbout * rms && rms < kAbout * reached) return trial;
     if (!bracket.tell(excess_of_load(reached / rms))) continue;
     best = std::move(trial);
     kept = reached;

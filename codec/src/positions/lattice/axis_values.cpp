@@ -124,11 +124,10 @@ std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box, doubl
 }
 
 PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes, double step) noexcept {
-  constexpr double kNotMuchFiner = 0.6;
   PositionLattice lattice = cubic_lattice(box, step);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisGrid& grid = axes[axis];
-    if (!(grid.step > kNotMuchFiner * lattice.step[axis])) continue;
+    if (!(lattice.step[axis] <= coarsest_step_on(grid))) continue;
     const double cells = std::round((box.max[axis] - grid.origin) / grid.step);
     if (!(cells <= kMostCells)) continue;
     lattice.origin[axis] = grid.origin;

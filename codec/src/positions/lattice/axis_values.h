@@ -60,6 +60,10 @@ struct AxisGrid {
 /// O(n).
 std::array<AxisGrid, 3> fit_axes(const AxisValues& values, const Box& box, double finest = 0);
 
+/// An axis keeps its grid in lattices up to this step; 0 without one. Beyond, it would be much finer than
+/// they are.
+constexpr double coarsest_step_on(const AxisGrid& grid) noexcept { return grid.step / 0.6; }
+
 /// cubic_lattice(), but with the own steps of axes that have a grid not much finer.
 PositionLattice grid_lattice(const Box& box, const std::array<AxisGrid, 3>& axes, double step) noexcept;
 

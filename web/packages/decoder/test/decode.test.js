@@ -61,6 +61,17 @@ test('limits are kept to', async () => {
   }
 });
 
+/** As WebAssembly writes a constant. */
+function signedLeb(number) {
+  const bytes = [];
+  for (;;) {
+    const byte = number & 127;
+    number >>= 7;
+    if ((number === 0 && !(byte & 64)) || (number === -1 && byte & 64)) return [...bytes, byte];
+    bytes.push(byte | 128);
+  }
+}
+
 test('memory beyond its limit is an error, and the decoder goes on', async () => {
   const decoder = await createDecoder({ maxMemory: 2 ** 21 });
   const large = await decoder.decode(new Uint8Array(2 ** 21));
@@ -105,6 +116,33 @@ test('a module that cannot be loaded is an error', async () => {
   const withoutZstd = await createDecoder({ files: { zstd: missing } });
   assert.equal((await withoutZstd.decode(golden('grid.zstd'))).code, 300);
   assert.equal((await decoder.decode(golden('grid.predictive'))).code, undefined);
+});
+
+test('a module of another release is an error', async () => {
+  const bytes = readFileSync(new URL('../grid.wasm', import.meta.url));
+  const release = (module, given) => new WebAssembly.Instance(module, { env: given }).exports.release_of();
+  const memory = new WebAssembly.Memory({ initial: 32, maximum: 2 ** 16 });
+  const own = new DataView(new ArrayBuffer(4));
+  own.setInt32(0, release(new WebAssembly.Module(bytes), { memory, allocate() {}, release() {} }), true);
+  const constant = [0x41, ...signedLeb(own.getInt32(0, true))];
+  const at = bytes.findIndex((_, i) => constant.every((byte, k) => bytes[i + k] === byte));
+  assert.ok(at > 0);
+  const other = Uint8Array.from(bytes);
+  other[at + 1] ^= 1;
+  const decoder = await createDecoder({ files: { grid: other } });
+  const error = await decoder.decode(golden('room.voxels'));
+  assert.equal(error.code, 300);
+  assert.match(error.message, /grid is of another release/);
+  assert.equal((await decoder.decode(golden('grid.predictive'))).code, undefined);
+});
+
+test('a limit of memory is a number', async () => {
+  for (const maxMemory of [NaN, -1, 'much']) {
+    const decoder = await createDecoder({ maxMemory });
+    assert.equal((await decoder.decode(golden('grid.predictive'))).code, 200);
+  }
+  for (const maxMemory of [Infinity, 2 ** 40, 0])
+    assert.equal((await (await createDecoder({ maxMemory })).decode(golden('tetrahedron.default'))).vertexCount, 4);
 });
 
 test('modules may be views of one buffer', async () => {
