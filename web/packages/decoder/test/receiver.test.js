@@ -39,15 +39,19 @@ async function follow(receiver, shown, isDone, onMessage = () => {}) {
     const error = receiver.apply(message);
     assert.ok(error === null || error.code === 200, String(error)); // what was on its way to a receiver that has begun anew
   };
+  const show = () => {
+    const { changed, removed } = receiver.takeChange();
+    for (const key of removed) assert.ok(shown.delete(keyOf(key)));
+    for (const key of changed) shown.set(keyOf(key), receiver.find(key));
+  };
   link.on('message', take);
   for (const end = performance.now() + 30000; !isDone(); await new Promise((resolve) => setTimeout(resolve, 50))) {
     assert.ok(performance.now() < end, `${shown.size} parts`);
     for (const message of receiver.messages(performance.now() / 1000)) link.send(message);
-    const { changed, removed } = receiver.takeChange();
-    for (const key of removed) assert.ok(shown.delete(keyOf(key)));
-    for (const key of changed) shown.set(keyOf(key), receiver.find(key));
+    show();
   }
   link.off('message', take);
+  show(); // what came while the loop slept
 }
 
 test('parts come, with colours; damaged messages change nothing; a receiver begins anew', { skip }, async () => {
