@@ -26,7 +26,7 @@ struct AttributeSettings {
   const AttributeQuality& quality;
   bool plain = false;                      ///< the plain form
   int effort = 1;                          ///< 0 to 2
-  bool about = false;                      ///< mean errors are met by a factor of kAbout (haar/haar.h)
+  bool about = false;                      ///< mean errors may be off by kAbout (haar/haar.h)
   const AttributeModels* start = nullptr;  ///< null for fresh models
   const Attribute* known = nullptr;        ///< of colours; what readers have of known vertices, or null
 };

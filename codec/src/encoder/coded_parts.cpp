@@ -87,8 +87,6 @@ class SharedBudget {
   }
 
  private:
-  /// At scales by this factor larger or smaller another form may be the smallest.
-  static constexpr double kOtherForm = 4;
   static constexpr double kFinest = 1.0 / 4096;
   static constexpr double kCoarsest = 4096;
   static constexpr double kAim = -0.005;   ///< an excess: 0.997 of the bytes
@@ -98,7 +96,7 @@ class SharedBudget {
   static constexpr double kJump = 0.15;    ///< octaves: places come in levels
   static constexpr double kSlope = -0.5;   ///< of all bytes over all errors, mostly; of attributes alone -1
 
-  /// No error of an attribute is promised, so that those asked for are only nearly met.
+  /// Whether mean errors of attributes may be off: where none is asked for, none is promised.
   bool about() const noexcept { return !task_.options.attributes.is_asked; }
 
   /// Binary logarithm of the bytes over those asked for.
@@ -184,9 +182,7 @@ class SharedBudget {
 
   Result<Parts> code(double scale, double of_attributes) {
     Request request = request_;
-    // While nothing fits, every form counts.
-    const double away = std::max(scale / scale_of_form_, scale_of_form_ / scale);
-    if (best_ && away < kOtherForm) request.form = form_;
+    if (best_) request.form = form_.at(scale);  // while nothing fits, every form counts
     // A step needs no search of its own, and leaves about such an error.
     constexpr double kStepOfError = 0.22;
     if (request.coder == GeometryCoder::kHighpass)
@@ -198,10 +194,7 @@ class SharedBudget {
     const Candidate& geometry = parts.coded.geometry;
     const bool is_on_lattice = geometry.coder == kGeometryPredictive && !geometry.grid &&
                                geometry.predictive.kind == PositionKind::kLattice;
-    if (is_on_lattice && !request.form) {
-      form_ = geometry.form;
-      scale_of_form_ = scale;
-    }
+    if (is_on_lattice && !request.form) form_.chosen(geometry.form, scale);
     return parts;
   }
 
@@ -220,8 +213,7 @@ class SharedBudget {
   double unit_;       ///< the largest error at a scale of 1
   double scale_ = 1;  ///< of the errors of places
   double scale_of_attributes_ = 1;
-  std::optional<PositionForm> form_;  ///< the smallest of a lattice
-  double scale_of_form_ = 1;          ///< at this scale
+  ChosenForm form_;  ///< of a lattice, by the scale
   std::optional<Parts> best_;
   bool is_exact_ = false;  ///< best_
   std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();

@@ -93,7 +93,7 @@ class Bricks {
   std::vector<Brick*> in_order() const;
 
  private:
-  static constexpr std::size_t kNodesOfTwo = 7;  ///< that blocks have for two vertices, at most, usually
+  static constexpr std::size_t kNodesOfTwo = 7;  ///< nodes of blocks for two vertices; seldom more
 
   void get_beyond(Brick& brick, unsigned place);
   void add_block(std::uint32_t& block);

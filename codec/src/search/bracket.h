@@ -27,7 +27,7 @@ struct BracketPlan {
   double slope = 1;
   double aim = 0;        ///< excess that forecasts aim at, 0 or less
   double tolerance = 0;  ///< an excess between this, 0 or less, and 0 ends the search
-  /// Octaves between a setting that keeps and one that does not: what is left then is not looked for.
+  /// Octaves: the search ends when a setting that keeps and one that does not are nearer than this.
   double narrowest = 0.0015;
   int trials = 8;  ///< at most, once one keeps; three times as many where none does
 };

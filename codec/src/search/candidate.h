@@ -4,6 +4,7 @@
 // One way to code the positions of a mesh: what a coder makes from settings, and what a decoder makes of it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -40,6 +41,26 @@ struct Candidate {
     header.highpass = highpass;
     header.predictive = predictive;
   }
+};
+
+/// The form that was the smallest at one step, or scale of errors: it is nearly so at others that are near,
+/// which then need not try all.
+class ChosenForm {
+ public:
+  /// Empty where all forms are to be tried.
+  std::optional<PositionForm> at(double setting) const noexcept {
+    constexpr double kFarthest = 4;
+    const bool is_near = std::max(setting / setting_, setting_ / setting) <= kFarthest;
+    return is_near ? form_ : std::nullopt;
+  }
+  void chosen(const PositionForm& form, double setting) noexcept {
+    form_ = form;
+    setting_ = setting;
+  }
+
+ private:
+  std::optional<PositionForm> form_;
+  double setting_ = 1;
 };
 
 /// The rest of the stream, so that its size is known.

@@ -153,9 +153,6 @@ class BudgetSearch {
   }
 
  private:
-  /// At steps by this factor larger or smaller another form may be the smallest.
-  static constexpr double kOtherForm = 4;
-
   std::uint64_t budget() const noexcept { return *trials_.request().target_bytes; }
   double excess(std::uint64_t bytes) const noexcept {
     return excess_of_bytes(bytes, budget(), trials_.source().positions.size());
@@ -201,8 +198,8 @@ class BudgetSearch {
     if (in_one_form / 10 * 9 <= budget()) consider(trials_.code_exactly());
   }
 
-  /// Axes whose coordinates are on a grid, as those of heights, keep that if anything fits so: without it
-  /// coarser lattices take more bytes.
+  /// Where axes have a grid, as heights have, lattices that keep it come first, and others only if none of
+  /// them fits: without the grid a coarser lattice takes more bytes.
   void fit_lattice() {
     const double first = trials_.step_for_bits(kDefaultLatticeBits);
     const std::array<AxisGrid, 3> axes = trials_.axes(first / 8);
@@ -210,7 +207,7 @@ class BudgetSearch {
     for (const AxisGrid& axis : axes) coarsest = std::max(coarsest, coarsest_step_on(axis));
     if (coarsest > 0 && fit_lattice(axes, std::min(first, coarsest), coarsest)) return;
     const double side = std::max(trials_.source().box.longest_side(), 1e-30);
-    fit_lattice({}, first, 2 * side);  // all coordinates are 0
+    fit_lattice({}, first, 2 * side);  // where all coordinates are 0
   }
 
   bool fit_lattice(const std::array<AxisGrid, 3>& axes, double first, double most) {
@@ -223,12 +220,10 @@ class BudgetSearch {
                 .tolerance = tolerance(),
                 .trials = kMostTrials},
                [&](double step) {
-                 const bool is_far = std::max(step / step_of_form_, step_of_form_ / step) > kOtherForm;
-                 if (is_far) step_of_form_ = step;
-                 Candidate candidate =
-                     trials_.code(trials_.try_lattice(grid_lattice(box, axes, short_float_below(step))),
-                                  is_far ? std::nullopt : form_);
-                 form_ = candidate.form;
+                 const auto form = form_.at(step);
+                 Candidate candidate = trials_.code(
+                     trials_.try_lattice(grid_lattice(box, axes, short_float_below(step))), form);
+                 if (!form) form_.chosen(candidate.form, step);
                  return std::optional(std::move(candidate));
                });
   }
@@ -248,8 +243,7 @@ class BudgetSearch {
   }
 
   const PredictiveTrials& trials_;
-  std::optional<PositionForm> form_;  ///< the smallest
-  double step_of_form_ = kInfinity;   ///< at this step
+  ChosenForm form_;  ///< by the step
   std::optional<Candidate> best_;
   std::uint64_t fewest_ = std::numeric_limits<std::uint64_t>::max();
 };

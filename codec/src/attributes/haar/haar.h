@@ -22,14 +22,14 @@ namespace deltamesh {
 
 struct HaarModels;
 
-/// How far errors may be off that need not be met.
+/// The factor, up or down, by which a mean error may be off that nobody is promised.
 inline constexpr double kAbout = 1.5;
 
 /// `rows`: of 3 or 4 components of `type`. `rms`: the root mean square of the errors of all values of red,
 /// green and blue, 255ths of their range, above 0, and of those of alpha; it is met within 1 % from below,
 /// unless nothing is left to be saved. Empty for other types than u8, u16 and f32, for floats that are not in
-/// [0, 1], and where levels of 8 bits cannot keep `rms`. `start`: null for fresh models. `about`: by a
-/// factor of kAbout up or down, which mostly takes one trial. O(n) for each of a few trials.
+/// [0, 1], and where levels of 8 bits cannot keep `rms`. `start`: null for fresh models. `about`: the
+/// error may be off by kAbout, which mostly takes one trial. O(n) for each of a few trials.
 std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
                                                         double rms, const AttributeSurface& surface,
                                                         const HaarModels* start = nullptr,
