@@ -15,7 +15,8 @@
 #include "deltamesh/result.h"
 #include "entropy/payload.h"
 #include "format/highpass_parameters.h"
-#include "highpass/cycle_plan.h"
+#include "highpass/cycles/compensation.h"
+#include "highpass/cycles/plan.h"
 #include "highpass/settings.h"
 #include "laplacian/anchors/anchor_sequence.h"
 #include "laplacian/operator/solved_part.h"
@@ -65,10 +66,10 @@ class HighpassCoder {
   /// call was not for the same anchors and cycles.
   Result<double> left_out_by(const HighpassSettings& settings, int cycles);
 
-  /// The fewest cycles, `from` or more, that serve `settings`: with more of them, errors would hardly be
-  /// smaller; and left_out_by() is `most_left_out` at most. Cost: a few times as many solves as cycles that
-  /// are tried.
-  int fewest_cycles(const HighpassSettings& settings, double most_left_out, int from);
+  /// The fewest cycles that serve `settings`: left_out_by() is `most_left_out` at most, flat regions lose
+  /// hardly any of it, and with more cycles errors of rounding would hardly be smaller. Errors: as code().
+  /// Cost: some two solves.
+  Result<int> fewest_cycles(const HighpassSettings& settings, double most_left_out);
 
   /// Deltas and anchors for so many planned cycles, 1 or more, make up for what these leave out
   /// (Compensation); with the positions that a decoder finds. settings.more_anchors change nothing but the
@@ -93,6 +94,7 @@ class HighpassCoder {
     HighpassSettings settings{.step = 0};  ///< of which those of deltas count
     std::vector<std::int32_t> symbols{};
     ReconstructionShift shift{};
+    std::optional<std::vector<std::byte>> payload{};  ///< of the symbols, once it has been asked for
   };
   /// Into `kept`, which may hold it already: symbols of `deltas`, always the same.
   Result<void> quantize(const HighpassSettings& settings, std::span<const Vec3> deltas,
@@ -114,12 +116,14 @@ class HighpassCoder {
   /// `positions`: n, of which those of the anchors count.
   HighpassSymbols symbols_for(const Quantized& quantized, const Anchors& anchors, int anchor_bits,
                               std::span<const Vec3> positions) const;
-  /// Errors at so many cycles where these leave nothing out but what rounding adds.
-  Result<PlanErrors> least_errors(const HighpassSettings& settings, int cycles);
+  /// Rows of the sequence's anchors.
+  std::vector<std::uint32_t> first_anchor_rows(const HighpassSettings& settings);
+  /// What rounding adds to positions by 1, 2, 3... cycles, as many as are as good as any.
+  Result<std::vector<PlanErrors>> rounding_errors(const HighpassSettings& settings);
   static HighpassParameters parameters_for(const HighpassSettings& settings, const Anchors& anchors,
                                            const ReconstructionShift& shift, int cycles);
   /// All but positions.
-  CodedHighpass coded(const HighpassParameters& parameters, const Quantized& quantized,
+  CodedHighpass coded(const HighpassParameters& parameters, Quantized& quantized,
                       const HighpassSymbols& symbols) const;
 
   const Adjacency& graph_;

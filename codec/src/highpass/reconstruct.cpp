@@ -116,10 +116,11 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
   return positions;
 }
 
-Result<LargeVector<Vec3>> reconstruct_errors(std::span<const Vec3> positions, std::span<const Vec3> deltas,
-                                             const HighpassSymbols& symbols, const SolvedPart& part,
-                                             PlannedSolver& solver, const Box& box,
-                                             const HighpassParameters& parameters) {
+Result<void> follow_rounding(std::span<const Vec3> positions, std::span<const Vec3> deltas,
+                             const HighpassSymbols& symbols, const SolvedPart& part, PlannedSolver& solver,
+                             const Box& box, const HighpassParameters& parameters,
+                             const PlannedSolver::Look& look) {
+  // The problem is that of the errors, in steps: these are small, so that nothing is lost.
   const double per_step = 1 / parameters.step;
   const DeltaView rounded(symbols.deltas.view(), scale_of(parameters));
   std::vector<Vec3> errors(part.row_count);
@@ -128,12 +129,11 @@ Result<LargeVector<Vec3>> reconstruct_errors(std::span<const Vec3> positions, st
   std::vector<Vec3> targets = anchor_targets(symbols, part, box, parameters);
   for (std::size_t a = 0; a < anchors.size(); ++a)
     targets[a] = per_step * (targets[a] - (positions[part.vertex(anchors[a])] - middle(box)));
-  std::vector<Vec3> x(part.row_count);
-  DELTAMESH_CHECK(solver.solve(anchors, errors, targets, parameters.cycles, x));
-  for (Vec3& error : x) error = parameters.step * error;
-  LargeVector<Vec3> result(part.whole_count, Vec3{});
-  scatter_rows(std::span<const Vec3>(x), part.vertices, std::span(result));
-  return result;
+  std::vector<Vec3> found(part.row_count);
+  return solver.follow(anchors, errors, targets, [&](int cycles, std::span<const Vec3> x) {
+    for (std::size_t row = 0; row < x.size(); ++row) found[row] = parameters.step * x[row];
+    return look(cycles, found);
+  });
 }
 
 Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_deltas,

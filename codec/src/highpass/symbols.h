@@ -57,13 +57,13 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                PlannedSolver& solver, const Box& box,
                                                const HighpassParameters& parameters);
 
-/// What rounding alone adds to the positions, whatever the cycles leave out: those of the errors of deltas
-/// and anchors, which are small, so that nothing is lost. `positions`: n, before coding; `deltas`: theirs,
-/// over the rows of `part`. Returns n. Errors: as PlannedSolver::solve().
-Result<LargeVector<Vec3>> reconstruct_errors(std::span<const Vec3> positions, std::span<const Vec3> deltas,
-                                             const HighpassSymbols& symbols, const SolvedPart& part,
-                                             PlannedSolver& solver, const Box& box,
-                                             const HighpassParameters& parameters);
+/// Calls look(cycles, errors) for 1, 2, 3... cycles, until it returns false: what rounding alone adds to the
+/// positions of `part`, whatever the cycles leave out. `positions`: n, before coding; `deltas`: theirs, over
+/// the rows of `part`; `parameters`: whose cycles do not matter. Errors: as PlannedSolver::solve().
+Result<void> follow_rounding(std::span<const Vec3> positions, std::span<const Vec3> deltas,
+                             const HighpassSymbols& symbols, const SolvedPart& part, PlannedSolver& solver,
+                             const Box& box, const HighpassParameters& parameters,
+                             const PlannedSolver::Look& look);
 
 /// Returns the deltas' symbols; called once, with the graph of the solved part.
 using ReadSymbols = std::function<Result<SymbolRows>(const Adjacency&)>;

@@ -30,8 +30,8 @@ constexpr double kConverged = 0x1p-12;
 /// A choice of the encoder: streams may have up to kMostCycles. And how many are as good as any, mostly.
 constexpr int kMostCyclesTried = 16;
 constexpr int kBestCycles = 10;
-constexpr std::size_t kFewBytes = 16;  ///< differ by chance
-constexpr double kFairBytes = 1.002;   ///< of deltas, over those that make up for nothing
+/// LeftOut::lost over the step: above it LFE grows by several per cent.
+constexpr double kMostLost = 0.0075;
 
 /// Distance that is small against the rounding of positions to floats, over the longest side.
 constexpr double kInvisible = 0x1p-26;
@@ -129,11 +129,13 @@ HighpassSymbols HighpassCoder::symbols_for(const Quantized& quantized, const Anc
   return symbols;
 }
 
-CodedHighpass HighpassCoder::coded(const HighpassParameters& parameters, const Quantized& quantized,
+CodedHighpass HighpassCoder::coded(const HighpassParameters& parameters, Quantized& quantized,
                                    const HighpassSymbols& symbols) const {
+  if (!quantized.payload)
+    quantized.payload = is_plain_ ? write_plain_deltas(quantized.symbols)
+                                  : write_compact_deltas(quantized.symbols, part_.graph);
   return {.parameters = parameters,
-          .deltas = is_plain_ ? write_plain_deltas(quantized.symbols)
-                              : write_compact_deltas(quantized.symbols, part_.graph),
+          .deltas = *quantized.payload,
           .anchors = is_plain_ ? write_plain_anchors(symbols.anchors, symbols.cells)
                                : write_compact_anchors(list_anchors(symbols))};
 }
@@ -155,8 +157,12 @@ Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings)
                symbols_for(quantized_, anchors, settings.anchor_bits, positions_));
 }
 
+std::vector<std::uint32_t> HighpassCoder::first_anchor_rows(const HighpassSettings& settings) {
+  return anchor_rows(anchors_.first(graph_, settings.anchors).vertices, part_);
+}
+
 Result<double> HighpassCoder::left_out_by(const HighpassSettings& settings, int cycles) {
-  std::vector<std::uint32_t> rows = anchor_rows(anchors_.first(graph_, settings.anchors).vertices, part_);
+  std::vector<std::uint32_t> rows = first_anchor_rows(settings);
   if (!source_ || source_->cycles != cycles || source_->rows != rows) {
     source_.reset();
     source_ = Source{.rows = std::move(rows),
@@ -190,7 +196,7 @@ Result<void> HighpassCoder::compensate(const HighpassSettings& settings, int cyc
 Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings, int cycles) {
   DELTAMESH_CHECK(compensate(settings, cycles));
   DELTAMESH_CHECK(quantize(settings, source_->compensation.deltas(), source_->quantized));
-  const Quantized& quantized = source_->quantized;
+  Quantized& quantized = source_->quantized;
   const Anchors anchors = anchors_for(settings);
   const HighpassSymbols symbols =
       symbols_for(quantized, anchors, settings.anchor_bits, source_->compensation.positions());
@@ -201,59 +207,44 @@ Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings, int 
 }
 
 Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
-  return code(settings, fewest_cycles(settings, std::numeric_limits<double>::infinity(), 1));
+  DELTAMESH_TRY(const int cycles, fewest_cycles(settings, std::numeric_limits<double>::infinity()));
+  return code(settings, cycles);
 }
 
-Result<PlanErrors> HighpassCoder::least_errors(const HighpassSettings& settings, int cycles) {
+Result<std::vector<PlanErrors>> HighpassCoder::rounding_errors(const HighpassSettings& settings) {
   const Anchors anchors = anchors_for(settings);
   DELTAMESH_CHECK(quantize(settings, deltas_, quantized_));
   const HighpassSymbols symbols = symbols_for(quantized_, anchors, settings.anchor_bits, positions_);
-  const HighpassParameters parameters = parameters_for(settings, anchors, quantized_.shift, cycles);
-  DELTAMESH_TRY(const auto errors,
-                reconstruct_errors(positions_, deltas_, symbols, part_, solver_, box_, parameters));
-  const LargeVector<Vec3> none(errors.size(), Vec3{});
-  return errors_between(part_, errors, none);
+  std::vector<PlanErrors> errors;
+  DELTAMESH_CHECK(follow_rounding(positions_, deltas_, symbols, part_, solver_, box_,
+                                  parameters_for(settings, anchors, quantized_.shift, kBestCycles),
+                                  [&](int cycles, std::span<const Vec3> found) {
+                                    errors.push_back(errors_of(part_.graph, found));
+                                    return cycles < kBestCycles;
+                                  }));
+  return errors;
 }
 
-int HighpassCoder::fewest_cycles(const HighpassSettings& settings, double most_left_out, int from) {
+Result<int> HighpassCoder::fewest_cycles(const HighpassSettings& settings, double most_left_out) {
   if (part_.row_count == 0) return 1;
-  const double invisible = kInvisible * box_.longest_side();
-  std::optional<PlanErrors> best;  // known once little enough is left out
-  std::size_t most_bytes = 0;
-  const auto serves = [&](int cycles) {
-    const auto left_out = left_out_by(settings, cycles);  // one solve; all that follows takes several
-    if (!left_out || !(*left_out <= most_left_out)) return false;
-    if (!best) {
-      const auto errors = least_errors(settings, kBestCycles);
-      const auto plain = code_only(settings);
-      if (!errors || !plain) return false;
-      best = *errors;
-      most_bytes =
-          static_cast<std::size_t>(kFairBytes * static_cast<double>(plain->deltas.size())) + kFewBytes;
-    }
-    const auto result = code(settings, cycles);
-    return result && result->deltas.size() <= most_bytes &&
-           errors_between(part_, positions_, result->positions).are_fair(*best, invisible);
+  source_.reset();
+  DELTAMESH_CHECK(quantize(settings, deltas_, quantized_));
+  const FlatDeltas flat(part_.graph, quantized_.symbols);
+  int fewest = 1;
+  const auto look = [&](int cycles, std::span<const Vec3> errors) {
+    fewest = cycles;
+    const LeftOut left = flat.left_out(errors);
+    const bool serves = left.largest <= most_left_out && left.lost <= kMostLost * settings.step;
+    return !serves && cycles < kMostCyclesTried;
   };
-  // More cycles serve better, and take longer to try: up in growing strides, then between the last two.
-  int least = from;
-  int most = kMostCyclesTried;
-  for (int stride = 1; least + stride - 1 < most; stride *= 2) {
-    const int cycles = least + stride - 1;
-    if (serves(cycles)) {
-      most = cycles;
-      break;
-    }
-    least = cycles + 1;
-  }
-  while (least < most) {
-    const int cycles = (least + most) / 2;
-    if (serves(cycles))
-      most = cycles;
-    else
-      least = cycles + 1;
-  }
-  return most;
+  DELTAMESH_CHECK(
+      Compensation(part_, positions_, middle(box_)).follow(solver_, first_anchor_rows(settings), look));
+  if (fewest >= kBestCycles) return fewest;
+  DELTAMESH_TRY(const std::vector<PlanErrors> rounding, rounding_errors(settings));
+  const double invisible = kInvisible * box_.longest_side();
+  const auto are_fair = [&](const PlanErrors& errors) { return errors.are_fair(rounding.back(), invisible); };
+  const auto found = std::find_if(rounding.begin() + (fewest - 1), rounding.end(), are_fair);
+  return static_cast<int>(found - rounding.begin()) + 1;
 }
 
 }  // namespace deltamesh

@@ -28,6 +28,13 @@ void write_rows(const VertexSubset& vertices, std::span<Vec3> x, std::vector<Vec
   scatter_rows(std::span<const Vec3>(rows), vertices, x);
 }
 
+Result<void> check_range(const multigrid::RangeWatch& watch) {
+  if (watch.holds()) return {};
+  return Error{.code = ErrorCode::kInvalidStream,
+               .message = "planned cycles leave the range of 32 bits",
+               .rule = "DELT-7"};
+}
+
 }  // namespace
 
 PlannedSetup::PlannedSetup(const SolverGraph& graph, std::span<const std::uint32_t> anchors)
@@ -53,10 +60,9 @@ bool PlannedSetup::is_for(std::span<const std::uint32_t> anchors) const noexcept
 Result<std::vector<PlannedSetup::Part>> PlannedSetup::run_cycles(const DeltaView& deltas,
                                                                  std::span<const Vec3> targets, int cycles,
                                                                  multigrid::RangeWatch* watch) {
+  DELTAMESH_CHECK(check_size());
   std::vector<Part> parts;
   for (Cycled& cycled : cycled_) {
-    if (!cycled.cycles)
-      return Error{.code = ErrorCode::kLimitExceeded, .message = "more vertices than can be solved for"};
     const ComponentDeltas own(deltas, cycled.problem->vertices);
     parts.push_back({cycled.problem,
                      cycled.cycles->solve(own.view(), cycled.problem->pick_targets(targets), cycles, watch)});
@@ -64,13 +70,47 @@ Result<std::vector<PlannedSetup::Part>> PlannedSetup::run_cycles(const DeltaView
   return parts;
 }
 
-void PlannedSetup::write(std::span<const Part> parts, const DeltaView& deltas, std::span<const Vec3> targets,
-                         std::span<Vec3> x) const {
+Result<void> PlannedSetup::follow_cycles(const DeltaView& deltas, std::span<const Vec3> targets,
+                                         multigrid::RangeWatch* watch,
+                                         const std::function<bool(std::span<const Part>)>& look) {
+  DELTAMESH_CHECK(check_size());
+  std::deque<ComponentDeltas> own_deltas;
+  std::vector<std::vector<Vec3>> own_targets;
+  for (Cycled& cycled : cycled_) {
+    own_deltas.emplace_back(deltas, cycled.problem->vertices);
+    own_targets.push_back(cycled.problem->pick_targets(targets));
+    cycled.cycles->start(own_deltas.back().view(), own_targets.back(), watch);
+  }
+  std::vector<Part> parts;
+  do {
+    parts.clear();
+    for (std::size_t i = 0; i < cycled_.size(); ++i) {
+      cycled_[i].cycles->cycle(own_deltas[i].view(), own_targets[i]);
+      parts.push_back({cycled_[i].problem, cycled_[i].cycles->solution_so_far(own_deltas[i].view())});
+    }
+  } while (look(parts));
+  return {};
+}
+
+Result<void> PlannedSetup::check_size() const {
+  for (const Cycled& cycled : cycled_) {
+    if (!cycled.cycles)
+      return Error{.code = ErrorCode::kLimitExceeded, .message = "more vertices than can be solved for"};
+  }
+  return {};
+}
+
+void PlannedSetup::write(std::span<const Part> parts, std::span<Vec3> x) const {
   std::vector<Vec3> rows;
   for (const Part& part : parts) {
     write_rows(part.problem->vertices, x, rows,
                [&](std::span<Vec3> own) { part.solution.write(own, graph_.team); });
   }
+}
+
+void PlannedSetup::solve_small(const DeltaView& deltas, std::span<const Vec3> targets,
+                               std::span<Vec3> x) const {
+  std::vector<Vec3> rows;
   multigrid::EnvelopeFactor factor;
   for (const ComponentProblem& problem : problems_) {
     if (is_cycled(problem)) continue;
@@ -85,17 +125,35 @@ void PlannedSetup::write(std::span<const Part> parts, const DeltaView& deltas, s
 
 Result<void> PlannedSolver::solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                                   std::span<const Vec3> targets, int cycles, std::span<Vec3> x) {
+  PlannedSetup& setup = setup_for(anchors);
+  multigrid::RangeWatch watch;
+  DELTAMESH_TRY(const auto parts, setup.run_cycles(deltas, targets, cycles, &watch));
+  setup.write(parts, x);
+  setup.solve_small(deltas, targets, x);
+  return check_range(watch);
+}
+
+Result<void> PlannedSolver::follow(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
+                                   std::span<const Vec3> targets, const Look& look) {
+  PlannedSetup& setup = setup_for(anchors);
+  multigrid::RangeWatch watch;
+  std::vector<Vec3> x(deltas.size());
+  setup.solve_small(deltas, targets, x);
+  int cycles = 0;
+  DELTAMESH_CHECK(
+      setup.follow_cycles(deltas, targets, &watch, [&](std::span<const PlannedSetup::Part> parts) {
+        setup.write(parts, x);
+        return watch.holds() && look(++cycles, x);
+      }));
+  return check_range(watch);
+}
+
+PlannedSetup& PlannedSolver::setup_for(std::span<const std::uint32_t> anchors) {
   if (!planned_ || !planned_->is_for(anchors)) {
     planned_.reset();  // before memory is taken for the next one
     planned_.emplace(graph_, anchors);
   }
-  multigrid::RangeWatch watch;
-  DELTAMESH_TRY(const auto parts, planned_->run_cycles(deltas, targets, cycles, &watch));
-  planned_->write(parts, deltas, targets, x);
-  if (watch.holds()) return {};
-  return Error{.code = ErrorCode::kInvalidStream,
-               .message = "planned cycles leave the range of 32 bits",
-               .rule = "DELT-7"};
+  return *planned_;
 }
 
 Result<LargeVector<Vec3>> SingleSolve::solve(const DeltaView& deltas, std::span<const Vec3> targets,
@@ -103,7 +161,9 @@ Result<LargeVector<Vec3>> SingleSolve::solve(const DeltaView& deltas, std::span<
   DELTAMESH_TRY(const auto parts, setup_.run_cycles(deltas, targets, cycles, nullptr));
   setup_.drop_levels();
   LargeVector<Vec3> x(size);
-  setup_.write(parts, deltas, targets, std::span(x).first(deltas.size()));
+  const std::span<Vec3> solved = std::span(x).first(deltas.size());
+  setup_.write(parts, solved);
+  setup_.solve_small(deltas, targets, solved);
   return x;
 }
 

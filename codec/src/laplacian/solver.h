@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,10 +56,16 @@ class PlannedSetup {
   /// Frees what run_cycles() needs.
   void drop_levels() noexcept { cycled_.clear(); }
 
-  /// `x`: n, overwritten: the components of `parts` with these, the others with the solutions of problems of
-  /// few vertices. O(n).
-  void write(std::span<const Part> parts, const DeltaView& deltas, std::span<const Vec3> targets,
-             std::span<Vec3> x) const;
+  /// Calls look() with what run_cycles() finds by 1, 2, 3... cycles, until it returns false. Errors:
+  /// likewise.
+  Result<void> follow_cycles(const DeltaView& deltas, std::span<const Vec3> targets,
+                             multigrid::RangeWatch* watch,
+                             const std::function<bool(std::span<const Part>)>& look);
+
+  /// `x`: n, of which the components of `parts` are overwritten. O(n).
+  void write(std::span<const Part> parts, std::span<Vec3> x) const;
+  /// The others, of few vertices. O(n).
+  void solve_small(const DeltaView& deltas, std::span<const Vec3> targets, std::span<Vec3> x) const;
 
  private:
   struct Cycled {
@@ -67,6 +74,9 @@ class PlannedSetup {
     std::vector<multigrid::Level> levels{};            ///< at least one
     std::optional<multigrid::PlannedCycles> cycles{};  ///< empty if there is one level only
   };
+
+  /// Errors: kLimitExceeded where a component has too many vertices.
+  Result<void> check_size() const;
 
   SolverGraph graph_;
   std::vector<std::uint32_t> anchors_;
@@ -88,7 +98,15 @@ class PlannedSolver {
   Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                      std::span<const Vec3> targets, int cycles, std::span<Vec3> x);
 
+  /// Calls look(cycles, x) with what solve() finds by 1, 2, 3... cycles, until it returns false. Costs little
+  /// more than the last of them. Errors: as solve().
+  using Look = std::function<bool(int cycles, std::span<const Vec3> x)>;
+  Result<void> follow(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
+                      std::span<const Vec3> targets, const Look& look);
+
  private:
+  PlannedSetup& setup_for(std::span<const std::uint32_t> anchors);
+
   SolverGraph graph_;
   std::optional<PlannedSetup> planned_;
 };

@@ -82,7 +82,7 @@ Result<Candidate> MeshHighpassTrials::make(const HighpassSettings& settings) {
   if (cycles_ == 0 || settings.anchors != anchors_of_cycles_) {
     const auto& bound = request_.bounds.max_error;
     const double most_left_out = bound ? kShareLeftOut * *bound : std::numeric_limits<double>::infinity();
-    cycles_ = coder_.fewest_cycles(settings, most_left_out, std::max(cycles_ - 1, 1));
+    DELTAMESH_TRY(cycles_, coder_.fewest_cycles(settings, most_left_out));
     anchors_of_cycles_ = settings.anchors;
   }
   DELTAMESH_TRY(CodedHighpass coded, coder_.code(settings, cycles_));

@@ -113,6 +113,28 @@ TEST(PlannedSolver, AnswersDoNotDependOnEarlierOnes) {
   }
 }
 
+TEST(PlannedSolver, FollowsFromCycleToCycleWhatSolvingFinds) {
+  for (const auto& mesh : {test::sheet(90, 70), many_sizes(), test::sheet(4, 3)}) {
+    const std::vector<std::uint32_t> anchors = test::anchors_of(mesh, 60);
+    std::vector<Vec3> targets;
+    for (const std::uint32_t anchor : anchors) targets.push_back(mesh.positions[anchor]);
+    const std::vector<Vec3> deltas = delta_coordinates(mesh.graph, mesh.positions);
+    PlannedSolver solver(mesh.graph, mesh.components);
+    std::vector<std::vector<Vec3>> found;
+    ASSERT_TRUE(solver.follow(anchors, deltas, targets, [&](int cycles, std::span<const Vec3> x) {
+      found.emplace_back(x.begin(), x.end());
+      EXPECT_EQ(cycles, static_cast<int>(found.size()));
+      return cycles < 4;
+    }));
+    ASSERT_EQ(found.size(), 4U);
+    for (int cycles = 1; cycles <= 4; ++cycles) {
+      std::vector<Vec3> x(deltas.size());
+      ASSERT_TRUE(solver.solve(anchors, deltas, targets, cycles, x));
+      EXPECT_EQ(found[static_cast<std::size_t>(cycles - 1)], x) << cycles;
+    }
+  }
+}
+
 /// Each is what it would be without the others, bit by bit; small ones are least-squares solutions.
 TEST(PlannedSolver, DELT4ComponentsAreSolvedByThemselves) {
   const GraphMesh mesh = many_sizes();

@@ -81,8 +81,10 @@ void PlannedCycles::solve_second() {
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
-/// The second level's solution.
-void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets) {
+/// With the second level's solution.
+void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets, RangeWatch* watch) {
+  watch_ = watch;
+  x_.assign(finest_.node_count(), Counts{});
   std::fill(s_.begin(), s_.end(), Float4{});
   std::fill(forces_.begin(), forces_.end(), Float4{});
   const DeltaCounts parts(deltas, 8);  // exact, if deltas are symbols
@@ -162,12 +164,21 @@ void PlannedCycles::cycle(const DeltaView& deltas, std::span<const Vec3> targets
 
 PlannedSolution PlannedCycles::solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
                                      RangeWatch* watch) {
-  watch_ = watch;
-  x_.assign(finest_.node_count(), Counts{});
-  start(deltas, targets);
+  start(deltas, targets, watch);
   for (int c = 0; c < cycles; ++c) cycle(deltas, targets);
+  return finish(deltas);
+}
+
+PlannedSolution PlannedCycles::finish(const DeltaView& deltas) {
   sweep_finest(deltas, kLastSweeps);
   return {units_, std::exchange(x_, {})};
+}
+
+PlannedSolution PlannedCycles::solution_so_far(const DeltaView& deltas) {
+  LargeVector<Counts> kept = x_;
+  PlannedSolution solution = finish(deltas);
+  x_ = std::move(kept);
+  return solution;
 }
 
 void PlannedSolution::write(std::span<Vec3> x, ThreadTeam* team) const {

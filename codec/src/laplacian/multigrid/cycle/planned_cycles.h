@@ -28,7 +28,7 @@ struct PlannedSolution {
 
 /// The coupled problem with s = P s_c interpolated from the second level: away from the anchors s is
 /// harmonic, hence smooth. Few cycles leave much of the exact solution's low frequencies out; an encoder
-/// makes up for it by the deltas and anchors that it codes (highpass/cycle_plan.h). x is kept in whole
+/// makes up for it by the deltas and anchors that it codes (highpass/cycles). x is kept in whole
 /// numbers; corrections are floats, in steps of the deltas.
 class PlannedCycles {
  public:
@@ -41,13 +41,19 @@ class PlannedCycles {
   PlannedSolution solve(const DeltaView& deltas, std::span<const Vec3> targets, int cycles,
                         RangeWatch* watch);
 
+  /// The same cycle by cycle, always with the same `deltas` and `targets`: first start(), then cycle(). O(n +
+  /// edges) each.
+  void start(const DeltaView& deltas, std::span<const Vec3> targets, RangeWatch* watch);
+  void cycle(const DeltaView& deltas, std::span<const Vec3> targets);
+  /// The solution if no more cycles follow; they may.
+  PlannedSolution solution_so_far(const DeltaView& deltas);
+
  private:
-  void start(const DeltaView& deltas, std::span<const Vec3> targets);
+  PlannedSolution finish(const DeltaView& deltas);
   template <bool kIsWatched>
   void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation);
   void sweep_finest(const DeltaView& deltas, std::span<const float> relaxation);
   void add_correction();
-  void cycle(const DeltaView& deltas, std::span<const Vec3> targets);
   void correct();
   void solve_second();
 
