@@ -16,6 +16,7 @@ struct HighpassSettings {
   double diffusion = 0;                       ///< strength of error diffusion, 0 to 1
   std::uint32_t anchors = 0;                  ///< the first so many of the anchor sequence
   std::vector<std::uint32_t> more_anchors{};  ///< vertices that are anchors besides
+  bool mends = false;                         ///< more anchors may follow, at the largest errors
   int anchor_bits = 12;                       ///< 4 to 24
 
   bool operator==(const HighpassSettings& other) const = default;

@@ -168,6 +168,7 @@ class HighpassSearch {
   /// Full diffusion, the step follows all bounds. With it LFE is some 3 VDE, and the largest error 4 LFE.
   Result<void> keep_positions(HighpassSettings settings) {
     settings.diffusion = 1;
+    settings.mends = bounds_.max_error && !is_quick();
     settings.centroids = false;  // they lower VDE, but LFE rises by as much at low rates
     if (!fixed_anchors())
       settings.anchors = usual_anchors(bounds_.max_error ? kForMaxError : kForLfe, trials_);
@@ -179,7 +180,7 @@ class HighpassSearch {
     if (bounds_.vde) vde = std::min(vde, *bounds_.vde);
     DELTAMESH_TRY(const auto landed,
                   find_step(settings, vde / (kVdePerDeltaError * kDiffusedDeltaError), Watch::kAll));
-    if (landed && bounds_.max_error && !is_quick()) return mend_larger_steps(*landed);
+    if (landed && landed->mends) return mend_larger_steps(*landed);
     return {};
   }
 

@@ -79,11 +79,12 @@ Candidate MeshHighpassTrials::without_quality(const CodedHighpass& coded,
 }
 
 Result<Candidate> MeshHighpassTrials::make(const HighpassSettings& settings) {
-  if (cycles_ == 0 || settings.anchors != anchors_of_cycles_) {
-    const auto& bound = request_.bounds.max_error;
-    const double most_left_out = bound ? kShareLeftOut * *bound : std::numeric_limits<double>::infinity();
+  const HighpassSettings& before = settings_of_cycles_;
+  if (cycles_ == 0 || settings.anchors != before.anchors || settings.mends != before.mends) {
+    const double most_left_out = settings.mends ? kShareLeftOut * *request_.bounds.max_error
+                                                : std::numeric_limits<double>::infinity();
     DELTAMESH_TRY(cycles_, coder_.fewest_cycles(settings, most_left_out));
-    anchors_of_cycles_ = settings.anchors;
+    settings_of_cycles_ = settings;
   }
   DELTAMESH_TRY(CodedHighpass coded, coder_.code(settings, cycles_));
   DELTAMESH_TRY(const auto decoded, to_float_positions(coded.positions));
