@@ -80,7 +80,10 @@ Candidate MeshHighpassTrials::without_quality(const CodedHighpass& coded,
 
 Result<Candidate> MeshHighpassTrials::make(const HighpassSettings& settings) {
   const HighpassSettings& before = settings_of_cycles_;
-  if (cycles_ == 0 || settings.anchors != before.anchors || settings.mends != before.mends) {
+  // Up to twice as many anchors need no more cycles.
+  const bool serve = cycles_ > 0 && settings.mends == before.mends && settings.anchors >= before.anchors &&
+                     settings.anchors <= 2 * before.anchors;
+  if (!serve) {
     const double most_left_out = settings.mends ? kShareLeftOut * *request_.bounds.max_error
                                                 : std::numeric_limits<double>::infinity();
     DELTAMESH_TRY(cycles_, coder_.fewest_cycles(settings, most_left_out));

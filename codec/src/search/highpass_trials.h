@@ -123,8 +123,8 @@ class MeshHighpassTrials final : public HighpassTrials {
   AnchorContainers own_containers_;
   AnchorSequence& anchors_;
   HighpassCoder coder_;
-  int cycles_ = 0;  ///< of the last candidate; chosen anew for other anchors of the sequence, and to mend
-  HighpassSettings settings_of_cycles_;
+  int cycles_ = 0;                       ///< of the last candidate
+  HighpassSettings settings_of_cycles_;  ///< that they were chosen for
 };
 
 }  // namespace deltamesh
