@@ -73,6 +73,11 @@ AnchorLattice::AnchorLattice(const Box& box, int bits) noexcept
       last_cell_((std::uint32_t{1} << bits) - 1),
       side_(box.longest_side() / static_cast<double>(last_cell_)) {}
 
+Box AnchorLattice::cube_over(const Box& box) noexcept {
+  const double side = box.longest_side();
+  return {box.min, box.min + Vec3{side, side, side}};
+}
+
 AnchorCell AnchorLattice::cell_of(const Vec3& position) const noexcept {
   AnchorCell cell{};
   if (!(side_ > 0)) return cell;

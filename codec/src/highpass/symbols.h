@@ -34,6 +34,9 @@ class AnchorLattice {
  public:
   AnchorLattice(const Box& box, int bits) noexcept;
 
+  /// What positions of cells lie in.
+  static Box cube_over(const Box& box) noexcept;
+
   AnchorCell cell_of(const Vec3& position) const noexcept;
   Vec3 position_of(const AnchorCell& cell) const noexcept;
 

@@ -27,15 +27,6 @@ constexpr int kMostRounds = 4;
 /// Of the longest side: above it what is left out is more than rounding.
 constexpr double kConverged = 0x1p-12;
 
-/// A choice of the encoder: streams may have up to kMostCycles. And how many are as good as any, mostly.
-constexpr int kMostCyclesTried = 16;
-constexpr int kBestCycles = 10;
-/// LeftOut::lost over the step: above it LFE grows by several per cent.
-constexpr double kMostLost = 0.0075;
-
-/// Distance that is small against the rounding of positions to floats, over the longest side.
-constexpr double kInvisible = 0x1p-26;
-
 double largest_component(std::span<const Vec3> deltas) noexcept {
   double largest = 0;
   for (const Vec3& delta : deltas)
@@ -157,6 +148,10 @@ Result<CodedHighpass> HighpassCoder::code_only(const HighpassSettings& settings)
                symbols_for(quantized_, anchors, settings.anchor_bits, positions_));
 }
 
+Compensation HighpassCoder::uncompensated() const {
+  return {part_, positions_, middle(box_), AnchorLattice::cube_over(box_)};
+}
+
 std::vector<std::uint32_t> HighpassCoder::first_anchor_rows(const HighpassSettings& settings) {
   return anchor_rows(anchors_.first(graph_, settings.anchors).vertices, part_);
 }
@@ -165,13 +160,11 @@ Result<double> HighpassCoder::left_out_by(const HighpassSettings& settings, int 
   std::vector<std::uint32_t> rows = first_anchor_rows(settings);
   if (!source_ || source_->cycles != cycles || source_->rows != rows) {
     source_.reset();
-    source_ = Source{.rows = std::move(rows),
-                     .cycles = cycles,
-                     .compensation = Compensation(part_, positions_, middle(box_))};
+    source_ = Source{.rows = std::move(rows), .cycles = cycles, .compensation = uncompensated()};
   }
   if (source_->rounds == 0) {
     DELTAMESH_CHECK(compensate_once());
-    source_->left_out_at_first = source_->left_out;
+    source_->left_out_at_first = source_->left_out.largest;
   }
   return source_->left_out_at_first;
 }
@@ -185,9 +178,10 @@ Result<void> HighpassCoder::compensate_once() {
 
 Result<void> HighpassCoder::compensate(const HighpassSettings& settings, int cycles) {
   DELTAMESH_TRY(const double left_out_at_first, left_out_by(settings, cycles));
-  while (source_->rounds < kMostRounds && source_->left_out > settings.step)
+  while (source_->rounds < kMostRounds && source_->left_out.largest > settings.step)
     DELTAMESH_CHECK(compensate_once());
-  if (source_->left_out > left_out_at_first && source_->left_out > kConverged * box_.longest_side())
+  const double left_out = source_->left_out.largest;
+  if (left_out > left_out_at_first && left_out > kConverged * box_.longest_side())
     return Error{
         .code = ErrorCode::kInvalidStream, .message = "planned cycles do not converge", .rule = "DELT-7"};
   return {};
@@ -209,42 +203,6 @@ Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings, int 
 Result<CodedHighpass> HighpassCoder::code(const HighpassSettings& settings) {
   DELTAMESH_TRY(const int cycles, fewest_cycles(settings, std::numeric_limits<double>::infinity()));
   return code(settings, cycles);
-}
-
-Result<std::vector<PlanErrors>> HighpassCoder::rounding_errors(const HighpassSettings& settings) {
-  const Anchors anchors = anchors_for(settings);
-  DELTAMESH_CHECK(quantize(settings, deltas_, quantized_));
-  const HighpassSymbols symbols = symbols_for(quantized_, anchors, settings.anchor_bits, positions_);
-  std::vector<PlanErrors> errors;
-  DELTAMESH_CHECK(follow_rounding(positions_, deltas_, symbols, part_, solver_, box_,
-                                  parameters_for(settings, anchors, quantized_.shift, kBestCycles),
-                                  [&](int cycles, std::span<const Vec3> found) {
-                                    errors.push_back(errors_of(part_.graph, found));
-                                    return cycles < kBestCycles;
-                                  }));
-  return errors;
-}
-
-Result<int> HighpassCoder::fewest_cycles(const HighpassSettings& settings, double most_left_out) {
-  if (part_.row_count == 0) return 1;
-  source_.reset();
-  DELTAMESH_CHECK(quantize(settings, deltas_, quantized_));
-  const FlatDeltas flat(part_.graph, quantized_.symbols);
-  int fewest = 1;
-  const auto look = [&](int cycles, std::span<const Vec3> errors) {
-    fewest = cycles;
-    const LeftOut left = flat.left_out(errors);
-    const bool serves = left.largest <= most_left_out && left.lost <= kMostLost * settings.step;
-    return !serves && cycles < kMostCyclesTried;
-  };
-  DELTAMESH_CHECK(
-      Compensation(part_, positions_, middle(box_)).follow(solver_, first_anchor_rows(settings), look));
-  if (fewest >= kBestCycles) return fewest;
-  DELTAMESH_TRY(const std::vector<PlanErrors> rounding, rounding_errors(settings));
-  const double invisible = kInvisible * box_.longest_side();
-  const auto are_fair = [&](const PlanErrors& errors) { return errors.are_fair(rounding.back(), invisible); };
-  const auto found = std::find_if(rounding.begin() + (fewest - 1), rounding.end(), are_fair);
-  return static_cast<int>(found - rounding.begin()) + 1;
 }
 
 }  // namespace deltamesh

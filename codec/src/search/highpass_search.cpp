@@ -65,15 +65,15 @@ class HighpassSearch {
   /// where none does. Anchors get more bits where the step alone does not do.
   Result<std::optional<HighpassSettings>> find_step(HighpassSettings settings, double error, Watch watch) {
     const double most = plain_delta_error(settings, coarsest_step(trials_), trials_);
-    const bool mends = watch == Watch::kAll && bounds_.max_error;  // the step grows again
+    const bool grows_again = watch == Watch::kAll && bounds_.max_error;
     for (;;) {
       Bracket bracket({.first = std::min(error, most > 0 ? most : error),
                        .least = std::min(error, finest_step(trials_) / 4),
                        .most = most > 0 ? most : error,
                        .aim = is_quick() ? kQuickAim : kAim,
-                       .tolerance = is_quick() ? kAnything
-                                    : mends    ? kWide
-                                               : kTight,
+                       .tolerance = is_quick()    ? kAnything
+                                    : grows_again ? kWide
+                                                  : kTight,
                        .trials = 5});
       std::optional<HighpassSettings> kept;
       while (!bracket.is_done()) {

@@ -17,7 +17,7 @@ namespace {
 
 /// Of a largest error: anchors at the largest errors leave the deltas as they are, so that these must not
 /// have to make up for much.
-constexpr double kShareLeftOut = 0.05;
+constexpr double kShareLeftOut = 0.01;
 
 }  // namespace
 
@@ -80,12 +80,11 @@ Candidate MeshHighpassTrials::without_quality(const CodedHighpass& coded,
 
 Result<Candidate> MeshHighpassTrials::make(const HighpassSettings& settings) {
   const HighpassSettings& before = settings_of_cycles_;
-  // Up to twice as many anchors need no more cycles.
   const bool serve = cycles_ > 0 && settings.mends == before.mends && settings.anchors >= before.anchors &&
-                     settings.anchors <= 2 * before.anchors;
+                     settings.anchors <= 2 * before.anchors && settings.step >= 0.8 * before.step;
   if (!serve) {
-    const double most_left_out = settings.mends ? kShareLeftOut * *request_.bounds.max_error
-                                                : std::numeric_limits<double>::infinity();
+    const double most_left_out =
+        settings.mends ? kShareLeftOut * *request_.bounds.max_error : std::numeric_limits<double>::infinity();
     DELTAMESH_TRY(cycles_, coder_.fewest_cycles(settings, most_left_out));
     settings_of_cycles_ = settings;
   }

@@ -23,10 +23,12 @@ bool is_finite(const Vec3& v) noexcept {
 
 }  // namespace
 
-Compensation::Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center)
+Compensation::Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center,
+                           const Box& anchors)
     : part_(&part),
       positions_(positions),
       center_(center),
+      box_(anchors),
       unit_(unit_for(positions, center)),
       shifted_(positions.begin(), positions.end()),
       deltas_(delta_coordinates(part, shifted_)) {}
@@ -37,27 +39,29 @@ Compensation::Problem Compensation::problem(std::span<const std::uint32_t> ancho
   problem.deltas.reserve(deltas_.size());
   for (const Vec3& delta : deltas_) problem.deltas.push_back(per_unit * delta);
   problem.targets.reserve(anchors.size());
-  for (const std::uint32_t row : anchors)
-    problem.targets.push_back(per_unit * (shifted_[part_->vertex(row)] - center_));
+  for (const std::uint32_t row : anchors) {
+    Vec3 target = shifted_[part_->vertex(row)];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      target[axis] = std::clamp(target[axis], box_.min[axis], box_.max[axis]);
+    problem.targets.push_back(per_unit * (target - center_));
+  }
   return problem;
 }
 
-Result<double> Compensation::improve(PlannedSolver& solver, std::span<const std::uint32_t> anchors,
-                                     int cycles) {
+Result<PlanErrors> Compensation::improve(PlannedSolver& solver, std::span<const std::uint32_t> anchors,
+                                         int cycles) {
   const auto [deltas, targets] = problem(anchors);
   std::vector<Vec3> x(part_->row_count);
   DELTAMESH_CHECK(solver.solve(anchors, deltas, targets, cycles, x));
   if (!std::all_of(x.begin(), x.end(), is_finite))
     return Error{.code = ErrorCode::kInvalidStream, .message = "planned cycles diverge", .rule = "DELT-7"};
-  double largest = 0;
   for (std::uint32_t row = 0; row < x.size(); ++row) {
-    const Vec3 left = left_out(row, x[row]);
-    largest = std::max(largest, dot(left, left));
+    x[row] = left_out(row, x[row]);
     Vec3& shifted = shifted_[part_->vertex(row)];
-    shifted = shifted + left;
+    shifted = shifted + x[row];
   }
   deltas_ = delta_coordinates(*part_, shifted_);
-  return std::sqrt(largest);
+  return errors_of(part_->graph, x);
 }
 
 Result<void> Compensation::follow(PlannedSolver& solver, std::span<const std::uint32_t> anchors,

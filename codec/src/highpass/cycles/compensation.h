@@ -10,6 +10,7 @@
 
 #include "base/numbers/vec3.h"
 #include "deltamesh/result.h"
+#include "highpass/cycles/plan.h"
 #include "laplacian/operator/solved_part.h"
 #include "laplacian/solver.h"
 
@@ -24,13 +25,13 @@ namespace deltamesh {
 class Compensation {
  public:
   /// y = x. `part` and `positions` (x: n, of the whole graph) must outlive this. `center`: what the solver's
-  /// coordinates are relative to. O(n + edges).
-  Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center);
+  /// coordinates are relative to; `anchors`: where anchors can be coded. O(n + edges).
+  Compensation(const SolvedPart& part, std::span<const Vec3> positions, const Vec3& center,
+               const Box& anchors);
 
-  /// One step. `solver`: of the part; `anchors`: rows, ascending. Returns the largest distance between x and
-  /// B y, of y as it was. Errors as PlannedSolver::solve(), and kInvalidStream where the cycles diverge; y
-  /// stays then. Cost: a solve.
-  Result<double> improve(PlannedSolver& solver, std::span<const std::uint32_t> anchors, int cycles);
+  /// One step. `solver`: of the part; `anchors`: rows, ascending. Returns x - B y of y as it was. Errors as
+  /// PlannedSolver::solve(), and kInvalidStream where the cycles diverge; y stays then. Cost: a solve.
+  Result<PlanErrors> improve(PlannedSolver& solver, std::span<const std::uint32_t> anchors, int cycles);
 
   /// Calls look(cycles, x - B y), over rows, for 1, 2, 3... cycles, until it returns false. Errors and cost:
   /// as PlannedSolver::follow().
@@ -57,6 +58,7 @@ class Compensation {
   const SolvedPart* part_;
   std::span<const Vec3> positions_;
   Vec3 center_;
+  Box box_;      ///< of anchors
   double unit_;  ///< model units, a power of 2: in it the mesh is of a size that suits floats
   std::vector<Vec3> shifted_;
   std::vector<Vec3> deltas_;

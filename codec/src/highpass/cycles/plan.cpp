@@ -58,7 +58,7 @@ FlatDeltas::FlatDeltas(const Adjacency& graph, std::span<const std::int32_t> sym
       const bool is_flat =
           of_axis[node] == 0 && std::all_of(around.begin(), around.end(),
                                             [&](std::uint32_t neighbor) { return of_axis[neighbor] == 0; });
-      flat_[node][axis] = is_flat ? 1 : 0;
+      flat_[node][axis] = is_flat;
     }
   }
 }
@@ -70,7 +70,7 @@ LeftOut FlatDeltas::left_out(std::span<const Vec3> errors) const {
     largest = std::max(largest, dot(errors[node], errors[node]));
     const Vec3 delta = delta_at(*graph_, errors, node);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      lost_squares += flat_[node][axis] * delta[axis] * delta[axis];
+      lost_squares += flat_[node][axis] ? delta[axis] * delta[axis] : 0;
   }
   const auto count = static_cast<double>(std::max<std::size_t>(flat_.size(), 1));
   return {.largest = std::sqrt(largest), .lost = std::sqrt(lost_squares / count)};

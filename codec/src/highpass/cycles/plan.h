@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What tells how many planned cycles a stream needs [DELT-7].
+// Measures of what planned cycles leave out and of what rounding adds, by which their number is chosen
+// [DELT-7].
 #pragma once
 
 #include <array>
@@ -47,7 +48,7 @@ class FlatDeltas {
 
  private:
   const Adjacency* graph_;
-  std::vector<std::array<double, 3>> flat_;  ///< n: by axis 1, or 0 where a delta is not flat
+  std::vector<std::array<bool, 3>> flat_;  ///< n: by axis
 };
 
 }  // namespace deltamesh

@@ -81,7 +81,7 @@ void PlannedCycles::solve_second() {
   for (std::size_t a = 0; a < forces_.size(); ++a) forces_[a] += v.forces[a];
 }
 
-/// With the second level's solution.
+/// x is the second level's solution.
 void PlannedCycles::start(const DeltaView& deltas, std::span<const Vec3> targets, RangeWatch* watch) {
   watch_ = watch;
   x_.assign(finest_.node_count(), Counts{});

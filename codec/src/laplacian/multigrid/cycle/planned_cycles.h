@@ -61,7 +61,7 @@ class PlannedCycles {
   const Level& second_;
   LevelSolver coarse_;
   Units units_{DeltaView{}, 0};
-  LargeVector<Counts> x_;       ///< finest level; none between solutions
+  LargeVector<Counts> x_;       ///< finest level; none once it is solved
   LargeVector<Float4> step_;    ///< finest level: what the last sweep added, and a 0
   LargeVector<Float4> s_;       ///< second level
   std::vector<Float4> forces_;  ///< one for each anchor
