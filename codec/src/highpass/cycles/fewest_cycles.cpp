@@ -16,7 +16,7 @@ namespace {
 constexpr int kMostCyclesTried = 16;
 constexpr int kBestCycles = 10;
 /// LeftOut::lost over the roughness that rounding adds, which is half a step where few deltas are 0.
-constexpr double kMostLost = 0.015;
+constexpr double kMostLost = 0.025;
 /// Of rounding errors, what is left out before the last step of compensation, which leaves a tenth of it.
 constexpr double kMostLeft = 0.5;
 /// Roughness over that of rounding errors, and bytes of deltas over those of x. LFE depends on chance too
