@@ -119,16 +119,18 @@ class HighpassCoder {
                               std::span<const Vec3> positions) const;
   double invisible() const noexcept;
   Compensation uncompensated() const;
-  /// The fewest cycles that leave out no more, of which flat regions lose no more; quantized_ is by
-  /// `settings`.
+  /// The fewest cycles that leave out at most so much (LeftOut::largest), and of it lose at most so much
+  /// where deltas are flat (LeftOut::lost). Precondition: quantized_ has the symbols of `settings`.
   Result<int> first_that_leave_little(const HighpassSettings& settings, double most_left_out,
                                       double most_lost);
-  /// Whether compensation leaves little beside what rounding adds, and costs neither shape nor bytes.
+  /// Whether a stream of so many cycles is good enough: compensation leaves little compared with `rounding`,
+  /// the decoded mesh is hardly rougher than that makes it, and the deltas take at most `most_bytes`.
   bool serve(const HighpassSettings& settings, int cycles, const PlanErrors& rounding,
              std::size_t most_bytes);
   /// Rows of the sequence's anchors.
   std::vector<std::uint32_t> first_anchor_rows(const HighpassSettings& settings);
-  /// What rounding adds to positions by 1, 2, 3... cycles, as many as are as good as any.
+  /// The errors that rounding adds to positions with 1, 2, 3... cycles, up to 10, on which more hardly
+  /// improve.
   Result<std::vector<PlanErrors>> rounding_errors(const HighpassSettings& settings);
   static HighpassParameters parameters_for(const HighpassSettings& settings, const Anchors& anchors,
                                            const ReconstructionShift& shift, int cycles);

@@ -34,7 +34,7 @@ class AnchorLattice {
  public:
   AnchorLattice(const Box& box, int bits) noexcept;
 
-  /// What positions of cells lie in.
+  /// The cube that the positions of all cells lie in.
   static Box cube_over(const Box& box) noexcept;
 
   AnchorCell cell_of(const Vec3& position) const noexcept;

@@ -98,8 +98,8 @@ class PlannedSolver {
   Result<void> solve(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                      std::span<const Vec3> targets, int cycles, std::span<Vec3> x);
 
-  /// Calls look(cycles, x) with what solve() finds by 1, 2, 3... cycles, until it returns false. Costs little
-  /// more than the last of them. Errors: as solve().
+  /// Calls look(cycles, x) with what solve() finds by 1, 2, 3... cycles, until it returns false. Costs about
+  /// twice the last of them. Errors: as solve().
   using Look = std::function<bool(int cycles, std::span<const Vec3> x)>;
   Result<void> follow(std::span<const std::uint32_t> anchors, const DeltaView& deltas,
                       std::span<const Vec3> targets, const Look& look);

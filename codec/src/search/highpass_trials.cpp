@@ -79,6 +79,7 @@ Candidate MeshHighpassTrials::without_quality(const CodedHighpass& coded,
 }
 
 Result<Candidate> MeshHighpassTrials::make(const HighpassSettings& settings) {
+  // Cycles serve larger steps, hardly smaller ones, and up to twice as many anchors.
   const HighpassSettings& before = settings_of_cycles_;
   const bool serve = cycles_ > 0 && settings.mends == before.mends && settings.anchors >= before.anchors &&
                      settings.anchors <= 2 * before.anchors && settings.step >= 0.8 * before.step;

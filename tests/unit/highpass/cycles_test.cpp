@@ -95,8 +95,8 @@ TEST(HighpassCoder, DELT7FewCyclesAreAsGoodAsTheExactSolution) {
   }
 }
 
-/// Few cycles leave much out: of one anchor's mesh, low frequencies; around a hub, what would move anchors
-/// out of the box, where they cannot be.
+/// With one anchor, few cycles miss low frequencies; around the hub of a fan, making up for what they miss
+/// would move anchors out of the box.
 TEST(HighpassCoder, DELT7CyclesAreTriedWithTheDeltasAndAnchorsThatAreCoded) {
   const auto lfe_over_exact = [](GraphMesh mesh, int bits, std::uint32_t anchors) {
     Coding coding(std::move(mesh), bits, anchors);

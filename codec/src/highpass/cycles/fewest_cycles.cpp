@@ -12,15 +12,16 @@
 namespace deltamesh {
 namespace {
 
-/// A choice of the encoder: streams may have up to kMostCycles. And how many are as good as any, mostly.
+/// The encoder takes no more, although streams may have up to kMostCycles.
 constexpr int kMostCyclesTried = 16;
+/// More of them hardly ever lower the errors that rounding adds.
 constexpr int kBestCycles = 10;
 /// LeftOut::lost over the roughness that rounding adds, which is half a step where few deltas are 0.
 constexpr double kMostLost = 0.025;
 /// Of rounding errors, what is left out before the last step of compensation, which leaves a tenth of it.
 constexpr double kMostLeft = 0.5;
-/// Roughness over that of rounding errors, and bytes of deltas over those of x. LFE depends on chance too
-/// much.
+/// Of a coded stream: its roughness over that of rounding errors, and the bytes of its deltas over those
+/// without compensation. LFE is not compared, as it depends too much on chance.
 constexpr double kMostRough = 1.02;
 constexpr double kMostBytes = 1.003;
 constexpr std::size_t kFewBytes = 16;  ///< differ by chance
