@@ -15,9 +15,10 @@
 namespace deltamesh {
 namespace {
 
-/// Of a largest error: anchors at the largest errors leave the deltas as they are, so that these must not
-/// have to make up for much.
-constexpr double kShareLeftOut = 0.01;
+/// Of a largest error that is asked for: what cycles may leave out for deltas and anchors to make up for.
+constexpr double kMostLeftOut = 0.3;
+/// The same where anchors mend the largest errors, which leave the deltas as they are.
+constexpr double kMostLeftToMend = 0.01;
 
 }  // namespace
 
@@ -84,8 +85,8 @@ Result<Candidate> MeshHighpassTrials::make(const HighpassSettings& settings) {
   const bool serve = cycles_ > 0 && settings.mends == before.mends && settings.anchors >= before.anchors &&
                      settings.anchors <= 2 * before.anchors && settings.step >= 0.8 * before.step;
   if (!serve) {
-    const double most_left_out =
-        settings.mends ? kShareLeftOut * *request_.bounds.max_error : std::numeric_limits<double>::infinity();
+    const double most_left_out = (settings.mends ? kMostLeftToMend : kMostLeftOut) *
+                                 request_.bounds.max_error.value_or(std::numeric_limits<double>::infinity());
     DELTAMESH_TRY(cycles_, coder_.fewest_cycles(settings, most_left_out));
     settings_of_cycles_ = settings;
   }

@@ -17,7 +17,7 @@ constexpr int kMostCyclesTried = 16;
 /// More of them hardly ever lower the errors that rounding adds.
 constexpr int kBestCycles = 10;
 /// LeftOut::lost over the roughness that rounding adds, which is half a step where few deltas are 0.
-constexpr double kMostLost = 0.025;
+constexpr double kMostLost = 0.085;
 /// Of rounding errors, what is left out before the last step of compensation, which leaves a tenth of it.
 constexpr double kMostLeft = 0.5;
 /// Of a coded stream: its roughness over that of rounding errors, and the bytes of its deltas over those
