@@ -112,6 +112,25 @@ TEST(MapCodec, MAP8NoCracksAtAnyQualityByEitherCoder) {
   }
 }
 
+/// It is sent with the map's message in place of a message of its own.
+TEST(MapCodec, MAP6ASinglePartIsAPrimerForThoseToCome) {
+  const Mesh mesh = wavy_sheet(80, 60, 5, 0.002);
+  const MapDescription description = description_of(mesh, 150);
+  const auto parts = split(mesh, description, {.most_triangles = 400, .most_level = 3});
+  ASSERT_TRUE(parts);
+  ASSERT_GT(parts->size(), 2U);
+  const PartQuality quality{.bounds = {.max_error = QualityBound{0.002}}, .effort = 1};
+  const auto with = with_primers(description, std::span(*parts).first(1), quality);
+  ASSERT_TRUE(with);
+  ASSERT_EQ(with->primers.size(), 1U);
+  const auto fresh = MapCodec::open(description);
+  const auto primed = MapCodec::open(*with);
+  EXPECT_LT(primed->encode(parts->front(), quality)->bytes.size(), 10U);
+  for (const MapPart& part : std::span(*parts).subspan(1)) {
+    EXPECT_LT(primed->encode(part, quality)->bytes.size(), fresh->encode(part, quality)->bytes.size());
+  }
+}
+
 TEST(MapCodec, MAP6PrimersSaveBytesAndArePartsThemselves) {
   const Mesh mesh = wavy_sheet(80, 60, 5, 0.002);
   const MapDescription description = description_of(mesh, 150);

@@ -66,7 +66,8 @@ class PrimerSearch {
     return by_size;
   }
 
-  /// Takes the part if it pays: as a primer it has as many bytes as before, and the others have fewer.
+  /// Takes the part if it pays: as a primer it has as many bytes as before, and the others have fewer. A
+  /// single part costs nothing, and later ones learn from it.
   Result<void> try_part(std::size_t part) {
     DELTAMESH_TRY(const MapCodec before, MapCodec::open(description_));
     MapDescription candidate = description_;
@@ -85,14 +86,16 @@ class PrimerSearch {
       bytes_before += sampled.bytes;
       bytes_after += size;
     }
-    if (sample.empty()) return {};
-    const double others = std::max(rest_ - static_cast<double>(own), 0.0);
-    const double saved = others * (1 - bytes_after / bytes_before);
-    if (saved < (1 - kWorthAnother) * (static_cast<double>(primer_bytes_) + rest_)) return {};
+    if (parts_.size() > 1) {
+      if (sample.empty()) return {};
+      const double others = std::max(rest_ - static_cast<double>(own), 0.0);
+      const double saved = others * (1 - bytes_after / bytes_before);
+      if (saved < (1 - kWorthAnother) * (static_cast<double>(primer_bytes_) + rest_)) return {};
+      rest_ = others - saved;
+    }
     description_ = std::move(candidate);
     sample_ = std::move(sample);
     primer_bytes_ += own;
-    rest_ = others - saved;
     return {};
   }
 
@@ -119,7 +122,7 @@ Result<MapDescription> with_primers(MapDescription description, std::span<const 
                                     const PartQuality& quality) noexcept {
   return guarded([&]() -> Result<MapDescription> {
     description.primers.clear();
-    if (parts.size() < 2) return description;
+    if (parts.empty()) return description;
     return PrimerSearch(std::move(description), parts, quality).run();
   });
 }

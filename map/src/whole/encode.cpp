@@ -132,7 +132,9 @@ Result<MapState> encode_as(const MeshView& mesh, MapDescription description,
     description = before->manifest.description;
   } else {
     description.epoch = before != nullptr ? before->manifest.description.epoch + 1 : 0;
-    DELTAMESH_TRY(description, with_primers(std::move(description), finest, quality));
+    if (finest.size() > 1) {
+      DELTAMESH_TRY(description, with_primers(std::move(description), finest, quality));
+    }
   }
   DELTAMESH_TRY(const MapCodec codec, MapCodec::open(std::move(description)));
   DELTAMESH_TRY(MapState state, code_parts(codec, parts, finest, quality));
