@@ -5,7 +5,7 @@ from logging import debug
 from coder import Coder, CountedBit, Fresh, Mixture, NumberModel, States, SymbolModel, bits, clamp
 from container import must, unzigzag
 from glue import CONN_8_faces
-from known import MAP_28_flag, MAP_28_fresh_flag, MAP_28_fresh_gone, MAP_28_fresh_sign, MAP_28_gone, MAP_28_sign, MAP_29_model, NothingKnown
+from known import MAP_28_flag, MAP_28_fresh_flag, MAP_28_fresh_gone, MAP_28_fresh_sign, MAP_28_gone, MAP_28_sign, MAP_29_fresh_model, MAP_29_motion, NothingKnown
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
@@ -226,18 +226,26 @@ class Levels:
         former = {edge: 32 * (2 * level + 1) // self.levels - 32 for edge, level in known.levels.items()}  # [MAP-29]
         self.cuts = {edge: cut for edge, cut in former.items() if known.kept[edge]}
         g = max(bits(self.levels - 1) - 4, 0)
-        fresh = Mixture(even_weights(16))
-        fresh.models = Fresh(GRD_10_fresh(((self.levels - 1) >> g) + 1))
-        models = states.models(("levels", self.levels), places=fresh).places
+        symbols, fresh, mixing = ((self.levels - 1) >> g) + 1, Mixture(even_weights(16)), Mixture(even_weights(16)).weights
+        fresh.models = Fresh(GRD_10_fresh(symbols))
+        models, moved_models = states.models(("levels", self.levels), places=fresh).places, Fresh(MAP_29_fresh_model(symbols))
         def place(edge):
             (x, y, z), (bx, by, bz) = edge[1], brick_of(edge[1])
             return bz, by, bx, z, y, edge[0], x
         for k, r in sorted(surface.edges, key=place):  # [GRD-9]
             level = known.levels.get((k, r), 0)
-            is_former = self.levels == 1 or known.kept.get((k, r))  # [MAP-29]
-            if not (is_former or ((k, r) in known.levels and are_former[MAP_29_model(self.cuts, former, k, r)].decode(coder))):
-                level = coder.symbol(*models.of(*self.GRD_10_contexts(k, r)))
-                level = level << g | coder.raw(g) if g else level
+            if self.levels > 1 and not known.kept.get((k, r)):  # [MAP-29]
+                mixed, weights = models.of(*self.GRD_10_contexts(k, r))
+                before = self.levels - 1 - level if self.nodes[r] else level
+                is_known = (k, r) in known.levels
+                if is_known:
+                    motion = MAP_29_motion(self.cuts, former, k, r)
+                    mixed, weights = [moved_models[9 * (before >> g) + motion], mixed[1]], mixing[motion]
+                level = coder.symbol(mixed, weights)
+                if g and is_known and level == before >> g and are_former[motion].decode(coder):
+                    level = before
+                elif g:
+                    level = level << g | coder.raw(g)
                 must(level < self.levels, "GRD-9", f"level {level}")
                 level = self.levels - 1 - level if self.nodes[r] else level
             self.cuts[k, r] = 32 * (2 * level + 1) // self.levels - 32

@@ -2,7 +2,7 @@
 import math
 from collections import defaultdict
 
-from coder import CountedBit, clamp
+from coder import CountedBit, SymbolModel, clamp
 from container import must
 
 CORNERS = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
@@ -117,8 +117,12 @@ def MAP_28_gone(known, nodes, own):
         return any(nodes[node] != known.states[node] for node in own) + (known.kinds[own[0]] & 2)
     return None
 
-def MAP_29_model(cuts, former, k, r):
-    """The model of whether a level is the former one."""
+def MAP_29_fresh_model(symbols):
+    """Models by their numbers: most likely are former levels."""
+    return lambda number: SymbolModel([max(32 >> 2 * abs(s - number // 9), 1) if s < symbols else 0 for s in range(16)])
+
+def MAP_29_motion(cuts, former, k, r):
+    """How many of the twelve cuts around have moved, and how many have not, as one number."""
     def at(axis, node):
         return cuts.get((axis, node)), former.get((axis, node))
     pairs, unit = [], [tuple(int(a == b) for b in range(3)) for a in range(3)]
@@ -128,4 +132,4 @@ def MAP_29_model(cuts, former, k, r):
         for end in (r, plus(r, unit[k])):
             pairs += [at(axis, end), at(axis, plus(end, down))]
     moved = [now != before for now, before in pairs if now is not None and before is not None]
-    return 4 * min(sum(moved), 3) + min(len(moved) - sum(moved), 3)
+    return 3 * min(sum(moved), 2) + min(len(moved) - sum(moved), 2)

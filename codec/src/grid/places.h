@@ -30,13 +30,15 @@ struct PlaceModels {
     const auto bits = static_cast<unsigned>(std::bit_width((levels - 1) / kSymbols));
     return bits;
   }
+  /// That are left of levels without these.
+  static unsigned symbols(std::uint32_t levels) noexcept { return ((levels - 1) >> raw_bits(levels)) + 1; }
   explicit PlaceModels(std::uint32_t levels) : smooth(kSmoothContexts) {
-    const unsigned symbols = ((levels - 1) >> raw_bits(levels)) + 1;
-    const SymbolModel even = even_model(symbols);
+    const unsigned count = symbols(levels);
+    const SymbolModel even = even_model(count);
     ends = SymbolModels(kEndContexts, even);
     smooth.fill(0, kOfSmoothClass, even);
     for (unsigned c = 1; c < kSmoothClasses; ++c)
-      smooth.fill(c * kOfSmoothClass, kOfSmoothClass, near_model(symbols, smooth_of_class(c)));
+      smooth.fill(c * kOfSmoothClass, kOfSmoothClass, near_model(count, smooth_of_class(c)));
   }
 
   void limit_counts(std::uint8_t most) noexcept {
@@ -151,14 +153,20 @@ class PlaceCoder {
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = cells[vertex][kAxis] % (2 * levels_) / 2;
     const KnownEdge* const known = known_.find(row.y, row.z, static_cast<unsigned>(x), slot, kAxis);
-    if (known != nullptr && is_known_level(coder, *known, window, index, kAxis, level)) {
+    if (known != nullptr && known->stays) {
       level = static_cast<std::int32_t>(known->level);
     } else if (levels_ > 1) {
       const PlaceSurroundings<kAxis> around(window, index);
       // -1 if the edge is seen from its other end.
       const std::int32_t turned = around.is_outside();
       const auto seen = [&](std::int32_t l) { return (l ^ turned) + (levels_ & turned); };
-      level = seen(code_level(coder, around.context(), seen(level)));
+      if (known != nullptr) [[unlikely]] {
+        const auto former = seen(static_cast<std::int32_t>(known->level));
+        const unsigned motion = known_.motion(window, index, kAxis);
+        level = seen(code_known_level(coder, around.context(), former, motion, seen(level)));
+      } else {
+        level = seen(code_level(coder, around.context(), seen(level)));
+      }
       if (static_cast<std::uint32_t>(level) >= static_cast<std::uint32_t>(levels_)) [[unlikely]] {
         is_beyond_ = true;
         level = 0;
@@ -175,18 +183,27 @@ class PlaceCoder {
     cells[vertex] = cell;
   }
 
-  /// A vertex that stays, or one that is where it was [MAP-29].
-  bool is_known_level(Coder& coder, const KnownEdge& known, const PlaceWindow& window, int index,
-                      unsigned axis, std::int32_t level) {
-    if (known.stays || levels_ == 1) return known.stays;
-    return coder.bit(static_cast<std::uint32_t>(level) == known.level, known_.model(window, index, axis));
-  }
-
   [[gnu::always_inline]] std::int32_t code_level(Coder& coder, const PlaceContext& context,
                                                  std::int32_t level) {
     const Mixture<2> mixture{{&models_.ends[context.ends], &models_.smooth[context.smooth]},
                              &models_.weights[context.weights]};
     const unsigned symbol = coder.symbol(static_cast<unsigned>(level) >> raw_bits_, mixture);
+    return code_raw_bits(coder, symbol, level);
+  }
+
+  /// `former`: the level that the known surface has there [MAP-29].
+  std::int32_t code_known_level(Coder& coder, const PlaceContext& context, std::int32_t former,
+                                unsigned motion, std::int32_t level) {
+    const unsigned former_symbol = static_cast<unsigned>(former) >> raw_bits_;
+    const Mixture<2> mixture{{&known_.level_model(former_symbol, motion), &models_.smooth[context.smooth]},
+                             &known_.weights(motion)};
+    const unsigned symbol = coder.symbol(static_cast<unsigned>(level) >> raw_bits_, mixture);
+    const bool may_be_same = raw_bits_ > 0 && symbol == former_symbol;
+    if (may_be_same && coder.bit(level == former, known_.is_same(motion))) return former;
+    return code_raw_bits(coder, symbol, level);
+  }
+
+  [[gnu::always_inline]] std::int32_t code_raw_bits(Coder& coder, unsigned symbol, std::int32_t level) {
     if (raw_bits_ == 0) [[likely]]
       return static_cast<std::int32_t>(symbol);
     const std::uint32_t low =

@@ -52,7 +52,8 @@ const char* read_surface(CompactReader& reader, const PredictiveParameters& para
   const char* rule = grid::Growth(reader, models.growth, NoSource{}, limits, surface, known_growth).grow();
   if (rule != nullptr || reader.failed()) return rule;
   cells.resize(surface.vertex_count);
-  const auto known_places = std::make_unique<grid::KnownPlaces>(known);
+  const auto known_places =
+      std::make_unique<grid::KnownPlaces>(known, grid::PlaceModels::symbols(parameters.levels));
   rule = grid::PlaceCoder(reader, models.places, parameters.levels, surface, parameters.lattice.cells,
                           *known_places)
              .code(cells);

@@ -76,7 +76,8 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
     return std::nullopt;
   CodedGrid coded = in_coded_order(surface, source, triangles);
   std::vector<Cell> surface_cells = in_order(cells, coded.vertex_order);
-  const auto known_places = std::make_unique<grid::KnownPlaces>(beside);
+  const auto known_places =
+      std::make_unique<grid::KnownPlaces>(beside, grid::PlaceModels::symbols(parameters.levels));
   grid::PlaceCoder(writer, models->places, parameters.levels, surface, parameters.lattice.cells,
                    *known_places)
       .code(surface_cells);

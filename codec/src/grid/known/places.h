@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Where a known surface cuts edges, around a brick of a newer one [MAP-29].
+// Where a known surface cuts edges, around a brick of a newer one, and what that tells of levels [MAP-29].
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,8 @@
 #include <cstdint>
 
 #include "entropy/coder/counted_bit.h"
+#include "entropy/coder/model.h"
+#include "entropy/coder/symbol_models.h"
 #include "grid/known/surface.h"
 #include "grid/place_window.h"
 
@@ -18,8 +20,15 @@ namespace deltamesh::grid {
 
 class KnownPlaces {
  public:
-  /// `surface`: null where nothing is known.
-  explicit KnownPlaces(const KnownSurface* surface) noexcept : surface_(surface) {}
+  /// By how many cuts around an edge have moved, and how many have not, 2 at most of each.
+  static constexpr unsigned kMotions = 9;
+
+  /// `surface`: null where nothing is known; `symbols`: of levels.
+  KnownPlaces(const KnownSurface* surface, unsigned symbols)
+      : surface_(surface), levels_(surface != nullptr ? std::size_t{symbols} * kMotions : 0) {
+    for (unsigned former = 0; surface != nullptr && former < symbols; ++former)
+      levels_.fill(std::size_t{former} * kMotions, kMotions, near_model(symbols, former));
+  }
 
   /// `window`: loaded with `brick`; the places of vertices that stay are known in it afterwards.
   void load(const Brick& brick, PlaceWindow& window) {
@@ -42,13 +51,14 @@ class KnownPlaces {
     return is_known ? &surface_->edge(*own_, slot, axis) : nullptr;
   }
 
-  /// Whether the level of the edge at `index` of `window` is the known one: by how many around have moved.
-  CountedBit& model(const PlaceWindow& window, int index, unsigned axis) noexcept {
-    std::array<unsigned, 2> count{};
+  /// Around the edge at `index` of `window`; below kMotions.
+  unsigned motion(const PlaceWindow& window, int index, unsigned axis) const noexcept {
+    unsigned moved = 0;
+    unsigned still = 0;
     const auto look = [&](unsigned k, int at) {
       const std::int8_t now = window.places(k)[at];
       const std::int8_t before = cuts_[k * PlaceWindow::kSize + static_cast<std::size_t>(at)];
-      if (now != PlaceWindow::kNoPlace && before != PlaceWindow::kNoPlace) ++count[now == before ? 1 : 0];
+      if (now != PlaceWindow::kNoPlace && before != PlaceWindow::kNoPlace) ++(now == before ? still : moved);
     };
     for (const unsigned k : {(axis + 1) % 3, (axis + 2) % 3}) {
       const int step = PlaceWindow::kStep[k];
@@ -58,8 +68,15 @@ class KnownPlaces {
         look(k, at);
       }
     }
-    return models_[4 * std::min(count[0], 3U) + std::min(count[1], 3U)];
+    return 3 * std::min(moved, 2U) + std::min(still, 2U);
   }
+
+  SymbolModel& level_model(unsigned former, unsigned motion) noexcept {
+    return levels_[std::size_t{former} * kMotions + motion];
+  }
+  MixWeights& weights(unsigned motion) noexcept { return weights_[motion]; }
+  /// Of levels with the same symbol.
+  CountedBit& is_same(unsigned motion) noexcept { return is_same_[motion]; }
 
  private:
   void load_brick(const Brick& known, const Spot& shift, PlaceWindow& window) {
@@ -84,10 +101,22 @@ class KnownPlaces {
     }
   }
 
+  /// Most likely `former`.
+  static SymbolModel near_model(unsigned symbols, unsigned former) noexcept {
+    std::array<std::uint8_t, kSymbols> weights{};
+    for (unsigned s = 0; s < kSymbols; ++s) {
+      const unsigned way = s > former ? s - former : former - s;
+      weights[s] = static_cast<std::uint8_t>(s >= symbols ? 0 : way < 3 ? 32 >> 2 * way : 1);
+    }
+    return SymbolModel(weights);
+  }
+
   const KnownSurface* surface_;
+  SymbolModels levels_;
+  std::array<MixWeights, kMotions> weights_;
+  std::array<CountedBit, kMotions> is_same_;
   const Brick* own_ = nullptr;
   std::array<std::int8_t, 3 * PlaceWindow::kSize> cuts_;  ///< as in PlaceWindow
-  std::array<CountedBit, 16> models_;
 };
 
 }  // namespace deltamesh::grid
