@@ -76,6 +76,16 @@ TEST(KnownSurface, MAP28WhatHasNotChangedTakesLittle) {
   EXPECT_LT(15 * expect_back(mesh, {mesh, all(mesh, 0)}), bytes_alone(mesh));
 }
 
+/// Low bits of levels are raw where there are more than 16.
+TEST(KnownSurface, MAP29LevelsThatDoNotMoveTakeLittleHoweverManyThereAre) {
+  for (const std::uint32_t levels : {1, 2, 16, 17, 64, 1000}) {
+    SCOPED_TRACE(levels);
+    const CellMesh mesh = test::wavy_surface(40, levels);
+    EXPECT_LT((levels < 16 ? 10 : 15) * expect_back(mesh, {mesh, all(mesh, 0)}), bytes_alone(mesh));
+    if (levels > 1) expect_back(moved(mesh), {mesh, all(mesh, 0)});
+  }
+}
+
 TEST(KnownSurface, MAP29LevelsThatMoveTakeMore) {
   const CellMesh mesh = test::wavy_surface(40, 4);
   const std::size_t bytes = expect_back(moved(mesh), {mesh, all(mesh, 0)});
