@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/try.h"
-#include "laplacian/coarsest/solve_directly.h"
+#include "laplacian/coarsest/coarsest.h"
 #include "laplacian/multigrid/setup/levels.h"
 #include "topology/subgraph.h"
 

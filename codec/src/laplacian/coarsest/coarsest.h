@@ -7,14 +7,17 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/memory/large_vector.h"
+#include "base/numbers/vec3.h"
 #include "laplacian/coarsest/conjugate_gradients.h"
 #include "laplacian/coarsest/envelope_factor.h"
 #include "laplacian/multigrid/level/coupled_problem.h"
 #include "laplacian/multigrid/level/level.h"
 #include "laplacian/multigrid/level/row.h"
+#include "laplacian/operator/delta_view.h"
 
 namespace deltamesh::multigrid {
 
@@ -40,5 +43,11 @@ class CoarsestSolver {
   std::optional<ConjugateGradients> conjugate_gradients_;  ///< where there are more
   LargeVector<Double4> x_, scaled_;
 };
+
+/// The least-squares solution on a finest level that is the coarsest one as well. `targets`: of the level's
+/// anchors; `x`: n, overwritten; `factor`: any, overwritten. O(n w^2), w being what the rows of the factor
+/// have.
+void solve_directly(const Level& finest, const DeltaView& deltas, std::span<const Vec3> targets,
+                    EnvelopeFactor& factor, std::span<Vec3> x);
 
 }  // namespace deltamesh::multigrid

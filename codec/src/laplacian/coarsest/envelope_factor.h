@@ -14,8 +14,13 @@
 
 namespace deltamesh::multigrid {
 
-/// L D L^T of N = K M^-1 K + E E^T in doubles, nodes in narrow_order.h's order, each row from its first entry
-/// that is not 0 on. One object may serve one level after the other; it keeps its memory.
+/// An order of nodes in which neighbours are near each other, for factors of narrow rows: the reverse of a
+/// breadth-first order that begins at an end of the graph [Cuthill and McKee 1969, reversed as by George
+/// 1971]. `nodes`: overwritten. O(n + edges).
+void order_narrowly(const Level& level, std::vector<std::uint32_t>& nodes);
+
+/// L D L^T of N = K M^-1 K + E E^T in doubles, nodes in order_narrowly()'s order, each row from its first
+/// entry that is not 0 on. One object may serve one level after the other; it keeps its memory.
 class EnvelopeFactor {
  public:
   /// O(n w^2) for n nodes and rows of w entries.

@@ -15,8 +15,6 @@
 #include "direct_solver/direct_solver.h"
 #include "laplacian/coarsest/conjugate_gradients.h"
 #include "laplacian/coarsest/envelope_factor.h"
-#include "laplacian/coarsest/narrow_order.h"
-#include "laplacian/coarsest/solve_directly.h"
 #include "laplacian/multigrid/setup/levels.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"

@@ -2,8 +2,10 @@
 // Copyright 2026 The deltamesh authors
 #include "laplacian/multigrid/cycle/level_solver.h"
 
+#include <algorithm>
+
 #include "base/threads/thread_team.h"
-#include "laplacian/multigrid/cycle/coupled_sweep.h"
+#include "laplacian/multigrid/level/edges.h"
 
 namespace deltamesh::multigrid {
 namespace {
@@ -15,6 +17,43 @@ bool takes_two_cycles(const Level& level, const Level& next) noexcept {
 }
 
 Row scaled(Float4 length, const Row& row) noexcept { return {length * row.x, length * row.s}; }
+
+/// Solves the equations of a node, given what its neighbours add up to.
+Row relax(const Level& level, std::uint32_t i, const Row& b, const Row& sum) noexcept {
+  const float inverse = level.inverse_degree[i];
+  const Float4 s = inverse * (sum.s + b.s);
+  return {inverse * (sum.x + b.x - level.mass[i] * s), s};
+}
+
+/// One Gauss-Seidel sweep on both fields at once: at every node first s from K s = b.s, then x from
+/// K x + M s = b.x. `u`, `b`: n. O(n + edges).
+void sweep(const Level& level, std::span<const Row> b, std::span<Row> u) {
+  const Edges edges(level);
+  for (std::uint32_t i = 0; i < level.node_count(); ++i) {
+    const Row sum = edges.sum_all(i, [&](std::uint32_t other) { return u[other]; });
+    u[i] = relax(level, i, b[i], sum);
+  }
+}
+
+/// The same from u = 0, whatever is there: half the work.
+void sweep_from_zero(const Level& level, std::span<const Row> b, std::span<Row> u) {
+  const Edges edges(level);
+  for (std::uint32_t i = 0; i < level.node_count(); ++i) {
+    const Row sum = edges.sum_lower(i, [&](std::uint32_t other) { return u[other]; });
+    u[i] = relax(level, i, b[i], sum);
+  }
+}
+
+/// coarse = P^T (b - [K M; 0 K] u) right after sweep_from_zero(): of every equation only what the higher
+/// neighbours changed since is left. Half the work again.
+void restrict_from_zero(const Level& level, std::span<const Row> u, std::span<Row> coarse) {
+  const Edges edges(level);
+  std::fill(coarse.begin(), coarse.end(), Row{});
+  for (std::uint32_t i = 0; i < level.node_count(); ++i) {
+    const Row residual = edges.sum_higher(i, [&](std::uint32_t other) { return u[other]; });
+    level.interpolation[i].spread(residual, [&](std::uint32_t node) -> Row& { return coarse[node]; });
+  }
+}
 
 }  // namespace
 
