@@ -14,7 +14,6 @@
 #include "base/memory/large_vector.h"
 #include "connectivity/faces/border_item.h"
 #include "connectivity/faces/gap_queue.h"
-#include "connectivity/faces/gate.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh {

@@ -5,15 +5,18 @@
 #include <numeric>
 #include <utility>
 
+#include "base/broken_rule.h"
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
 #include "connectivity/faces/glue_coder.h"
-#include "connectivity/faces/refusal.h"
+#include "format/chunk/tags.h"
 
 namespace deltamesh {
 namespace {
 
-Error broken_gluing(const char* message) noexcept { return Refusal{message, "CONN-11"}.error(); }
+Error broken_gluing(const char* message) noexcept {
+  return broken_rule(message, "CONN-11", kTagConnectivity);
+}
 
 /// Runs of connected vertices. `starts`: first manifold vertex of every component, and the end of the last.
 VertexRuns connected_runs(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> vertex) {
@@ -95,7 +98,7 @@ Result<LargeVector<std::uint32_t>> read_gluing(CompactReader& reader, std::span<
   if (is_dense(count, manifold_count)) {
     LargeVector<std::uint32_t> vertex(manifold_count, 0);
     GlueCoder glue(reader, faces, manifold_count);
-    const auto fault = [](const char* message) { return Refusal{message, "CONN-14"}.error(); };
+    const auto fault = [](const char* message) { return broken_rule(message, "CONN-14", kTagConnectivity); };
     if (!glue.code(vertex, [&] { return reader.failed(); }) && !reader.failed())
       return fault("glued to a vertex yet to come");
     if (glue.glued_count() != count && !reader.failed()) return fault("another number of glued vertices");

@@ -12,8 +12,9 @@
 #include <utility>
 
 #include "connectivity/faces/border.h"
+#include "connectivity/faces/border_item.h"
+#include "connectivity/faces/cut.h"
 #include "connectivity/faces/op_models.h"
-#include "connectivity/faces/split_reference.h"
 #include "entropy/coder/model.h"
 #include "entropy/coder/number_model.h"
 
@@ -22,6 +23,35 @@ namespace deltamesh {
 /// No stream has more: a symbol's probability is at most 1 - 30 / 2^15 and it stands for at most 7 faces, so
 /// that a byte holds at most 42380 [CONN-2].
 inline constexpr std::uint64_t kFacesPerCompactByte = 42400;
+
+/// An S op names its target by a few steps along the loop where that reaches, else by the item's number. The
+/// bound on these keeps hostile streams linear. References 1, 3, 5 ... go 2, 3, 4 ... items forward from the
+/// gate, 2, 4, 6 ... go 1, 2, 3 ... items back [CONN-10].
+inline constexpr std::uint32_t kFarReference = 0;
+inline constexpr std::uint32_t kLargestReference = 255;
+
+/// The item that a reference from 1 to kLargestReference names. At most 129 steps.
+inline std::uint32_t follow_reference(const Border& border, std::uint32_t gate, std::uint32_t reference) {
+  std::uint32_t i = gate;
+  if (reference % 2 == 0) {
+    for (std::uint32_t steps = reference / 2; steps > 0; --steps) i = border.item(i).previous;
+  } else {
+    for (std::uint32_t steps = (reference + 3) / 2; steps > 0; --steps) i = border.item(i).next;
+  }
+  return i;
+}
+
+/// The smallest reference to `target`, or kFarReference. At most 258 steps.
+inline std::uint32_t find_reference(const Border& border, std::uint32_t gate, std::uint32_t target) {
+  std::uint32_t forward = border.item(gate).next;
+  std::uint32_t backward = gate;
+  for (std::uint32_t reference = 1; reference <= kLargestReference; ++reference) {
+    std::uint32_t& i = reference % 2 == 0 ? backward : forward;
+    i = reference % 2 == 0 ? border.item(i).previous : border.item(i).next;
+    if (i == target) return reference;
+  }
+  return kFarReference;
+}
 
 /// `Coder` is CompactWriter or CompactReader.
 template <class Coder>

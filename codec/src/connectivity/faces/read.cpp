@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/broken_rule.h"
 #include "base/byte_reader.h"
 #include "base/checked.h"
 #include "base/try.h"
@@ -15,7 +16,6 @@
 #include "connectivity/faces/gluing.h"
 #include "connectivity/faces/op_coder.h"
 #include "connectivity/faces/op_models.h"
-#include "connectivity/faces/refusal.h"
 #include "connectivity/faces/traversal.h"
 #include "entropy/coder/reader.h"
 #include "format/chunk/tags.h"
@@ -57,7 +57,7 @@ std::size_t reserved_at_once(std::uint32_t declared, std::size_t bytes) noexcept
 
 Result<void> check_face_count(std::uint32_t faces, std::size_t bytes) {
   if (faces <= saturating_mul(bytes, kFacesPerCompactByte)) return {};
-  return Refusal{"more faces than the ops can hold", "CONN-2"}.error();
+  return broken_rule("more faces than the ops can hold", "CONN-2", kTagConnectivity);
 }
 
 }  // namespace
@@ -76,7 +76,8 @@ Result<Connectivity> read_connectivity(std::span<const std::byte> payload, std::
   CompactGuide guide(reader, learning.start);
   if (!traverse(border, guide)) {
     if (reader.failed()) DELTAMESH_CHECK(reader.finish(kTagConnectivity));
-    return refusal_of(border).error();
+    if (border.is_full()) return broken_rule("more faces than declared", "CONN-2", kTagConnectivity);
+    return broken_rule("op does not fit the border", "CONN-7", kTagConnectivity);
   }
   DELTAMESH_TRY(const auto vertex, read_gluing(reader, border.faces(), border.vertex_count(), vertex_count));
   DELTAMESH_CHECK(reader.finish(kTagConnectivity));
