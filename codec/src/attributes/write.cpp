@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "attributes/attribute.h"
-#include "attributes/coded.h"
 #include "attributes/colors/colors.h"
 #include "attributes/error.h"
 #include "attributes/exceptions/exceptions.h"
+#include "attributes/haar/haar.h"
 #include "attributes/lattice/lattice.h"
-#include "attributes/mean.h"
 #include "attributes/models.h"
 #include "attributes/normals/normals.h"
 #include "attributes/payload.h"
@@ -20,6 +21,7 @@
 #include "attributes/skin/skin.h"
 #include "attributes/tangents/tangents.h"
 #include "attributes/uvs/uvs.h"
+#include "attributes/values.h"
 #include "base/byte_writer.h"
 #include "base/component.h"
 #include "base/numbers/short_float.h"
@@ -43,9 +45,55 @@ Result<void> check_shape(const AttributeView& attribute, std::span<const std::ui
   return {};
 }
 
+/// The compact payload of one coding, with what decoders get from it. Empty where `values` are: the coding
+/// does not keep what is asked for.
+template <class T>
+std::optional<CodedAttribute> code_compact(AttributeCoding coding,
+                                           const std::optional<CodedValues<T>>& values) {
+  if (!values) return std::nullopt;
+  ByteWriter out;
+  out.write(static_cast<std::uint8_t>(coding));
+  out.write_bytes(values->bytes);
+  CodedAttribute coded;
+  coded.payload = out.take();
+  coded.is_compact = true;
+  const auto decoded = std::as_bytes(std::span(values->values));
+  coded.decoded.values.assign(decoded.begin(), decoded.end());
+  return coded;
+}
+
 std::optional<CodedAttribute> code_on_lattices(const AttributeView& attribute, const AttributeRows& rows,
                                                double bound, int effort, const AttributeSurface& surface) {
   return code_compact(AttributeCoding::kLattice, write_lattice(attribute, rows, bound, effort, surface));
+}
+
+/// At a mean error: by the transform, or within a largest error that keeps `rms` where that is smaller.
+/// `rms`: of mean_bound_of(). Empty where neither keeps it.
+std::optional<CodedAttribute> code_at_mean_error(const AttributeView& attribute, const AttributeRows& rows,
+                                                 double rms, const AttributeSettings& settings,
+                                                 const AttributeSurface& surface) {
+  using enum AttributeCoding;
+  const ComponentType type = attribute.type;
+  std::optional<CodedAttribute> mean;
+  std::optional<CodedAttribute> bounded;
+  if (attribute.kind == AttributeKind::kColor) {
+    // Errors are evenly spread over the whole numbers from -L to L.
+    const double largest = std::floor(std::sqrt(0.25 + 3 * rms * rms) - 0.5);
+    bounded = code_compact(
+        kSurfaceColors,
+        write_surface_colors(type, rows, largest, surface, color_models(settings.start), settings.known));
+    mean = code_compact(
+        kMean, write_haar_colors(type, rows, rms, surface, mean_models(settings.start), settings.about));
+  } else {
+    // Errors are evenly spread over all numbers from -L to L.
+    const double largest = std::sqrt(3.0) * rms;
+    bounded = code_compact(kLattice, write_lattice(attribute, rows, largest, settings.effort, surface));
+    mean = code_compact(
+        kMean, write_haar_numbers(type, rows, rms, surface, mean_models(settings.start), settings.about));
+  }
+  if (bounded && !(bounded_rms(type, rows, bounded->decoded.values) <= rms)) bounded.reset();
+  const bool is_smaller = mean && bounded && bounded->payload.size() <= mean->payload.size();
+  return mean && !is_smaller ? std::move(mean) : std::move(bounded);
 }
 
 /// By the coding of the attribute's kind and shape; empty where there is none, or none that keeps the bound.
