@@ -13,10 +13,51 @@
 
 #include "base/memory/large_vector.h"
 #include "grid/brick.h"
-#include "grid/corner_copies.h"
 #include "grid/cube/cube.h"
 
 namespace deltamesh::grid {
+
+/// A brick that knows the corners of a cube, and where they are there.
+struct BrickCopy {
+  std::uint8_t near;  ///< which one, seen from the cube's own brick
+  std::int8_t shift;  ///< to the bit of the lowest corner, added to its x
+  std::int16_t row;   ///< added to the row of the lowest corner
+};
+/// Bricks that know the corners of a cube: its own, and those that have one in their margin.
+struct BrickCopies {
+  unsigned count;
+  std::array<BrickCopy, 8> list;
+};
+
+/// Of a cube's coordinates: 1 if its corners are in the margin of the brick on the low side, 2 on the high
+/// side.
+inline constexpr std::array<std::uint8_t, kSide> kBrickEnds = {1, 1, 0, 0, 0, 0, 0, 0,
+                                                               0, 0, 0, 0, 0, 2, 2, 2};
+
+/// By the ends on each axis.
+inline constexpr std::array<BrickCopies, 27> kBrickCopies = [] {
+  std::array<BrickCopies, 27> all{};
+  for (int ends = 0; ends < 27; ++ends) {
+    BrickCopies& copies = all[static_cast<std::size_t>(ends)];
+    const int end[3] = {ends % 3, ends / 3 % 3, ends / 9};
+    for (int way = 0; way < 27; ++way) {
+      const int step[3] = {way % 3 - 1, way / 3 % 3 - 1, way / 9 - 1};
+      bool has_them = true;
+      for (int axis = 0; axis < 3; ++axis)
+        has_them = has_them && (step[axis] == 0 || end[axis] == (step[axis] < 0 ? 1 : 2));
+      if (!has_them) continue;
+      copies.list[copies.count++] = {static_cast<std::uint8_t>(way),
+                                     static_cast<std::int8_t>(kMargin - kSide * step[0]),
+                                     static_cast<std::int16_t>(-kSide * (step[1] + kReach * step[2]))};
+    }
+  }
+  return all;
+}();
+
+inline const BrickCopies& copies_of(unsigned place) noexcept {
+  return kBrickCopies[kBrickEnds[place & 15] + 3U * kBrickEnds[place >> 4 & 15] +
+                      9U * kBrickEnds[place >> 8]];
+}
 
 class Bricks {
  public:
@@ -62,9 +103,9 @@ class Bricks {
     const std::uint64_t pairs[4] = {pair(0), pair(2), pair(4), pair(6)};
     const std::size_t row = Brick::row_at(place);
     // In margins of other bricks they are, too.
-    const CornerCopies& copies = copies_of(place);
+    const BrickCopies& copies = copies_of(place);
     for (unsigned i = 0; i < copies.count; ++i) {
-      const CornerCopy& copy = copies.list[i];
+      const BrickCopy& copy = copies.list[i];
       Brick* const other = brick.near[copy.near];
       if (other == nullptr) continue;
       std::uint64_t* const rows = &other->rows[row + static_cast<std::size_t>(std::ptrdiff_t{copy.row})];

@@ -6,7 +6,6 @@
 
 #include "attributes/lattice/component_lattice.h"
 #include "attributes/plain/plain.h"
-#include "attributes/plain/steps.h"
 #include "attributes/values.h"
 #include "base/byte_reader.h"
 #include "base/try.h"
@@ -17,6 +16,19 @@ namespace deltamesh {
 namespace {
 
 using Columns = std::array<std::vector<double>, 3>;
+
+/// Errors: kTruncated, kInvalidStream [PLN-6].
+Result<PlainSteps> read_steps(ByteReader& in) {
+  PlainSteps steps;
+  DELTAMESH_TRY(steps.step, in.read<double>());
+  if (!(steps.step >= 0 && std::isfinite(steps.step)))
+    return in.invalid("a step that is not finite, or below 0", "PLN-6");
+  if (steps.is_exact()) return steps;
+  DELTAMESH_TRY(steps.first, in.read<std::int64_t>());
+  if (steps.first < -kLargestPlainFirst || steps.first > kLargestPlainFirst)
+    return in.invalid("a first number beyond 2^52", "PLN-6");
+  return steps;
+}
 
 /// The component of every row, rounded to its type.
 Result<void> read_component(ByteReader& in, const Attribute& shape, std::size_t component, std::uint32_t rows,

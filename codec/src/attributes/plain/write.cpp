@@ -7,7 +7,6 @@
 
 #include "attributes/error.h"
 #include "attributes/plain/plain.h"
-#include "attributes/plain/steps.h"
 #include "base/byte_writer.h"
 #include "base/component.h"
 #include "entropy/arrays.h"
