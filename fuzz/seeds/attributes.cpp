@@ -157,9 +157,9 @@ void make_colors(const Corpora& corpora) {
       const auto order = test::identity(surface.vertex_count());
       const AttributeView view = test::view(a);
       const AttributeRows rows(view, order);
-      const auto coded = are_numbers        ? write_haar_numbers(a.type, rows, kErrors[type], surface)
-                         : (more & 64) != 0 ? write_haar_colors(a.type, rows, 2, surface)
-                                            : write_surface_colors(a.type, rows, 0, surface);
+      const auto coded = (more & 64) != 0
+                             ? write_haar_values(a.type, rows, are_numbers ? kErrors[type] : 2, surface)
+                             : write_surface_colors(a.type, rows, 0, surface);
       corpora.add("colors",
                   std::string(are_numbers        ? "numbers_"
                               : (more & 64) != 0 ? "mean_"

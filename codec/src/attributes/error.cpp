@@ -185,25 +185,17 @@ double color_rms(ComponentType type, const AttributeRows& rows, std::span<const 
   return rms_of(0, kColors, type, rows, decoded) / color_unit(type);
 }
 
-double alpha_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept {
-  return rms_of(kColors, rows.components(), type, rows, decoded) / color_unit(type);
-}
-
-double number_rms(ComponentType type, const AttributeRows& rows,
-                  std::span<const std::byte> decoded) noexcept {
-  return rms_of(0, 1, type, rows, decoded);
-}
-
 double bounded_rms(ComponentType type, const AttributeRows& rows,
                    std::span<const std::byte> decoded) noexcept {
-  if (rows.components() == 1) return number_rms(type, rows, decoded);
-  return std::max(color_rms(type, rows, decoded), alpha_rms(type, rows, decoded));
+  if (rows.components() == 1) return rms_of(0, 1, type, rows, decoded);
+  const double alpha = rms_of(kColors, rows.components(), type, rows, decoded) / color_unit(type);
+  return std::max(color_rms(type, rows, decoded), alpha);
 }
 
 double attribute_rms(const AttributeView& attribute, const AttributeRows& rows,
                      std::span<const std::byte> decoded) noexcept {
   return attribute.kind == AttributeKind::kColor ? color_rms(attribute.type, rows, decoded)
-                                                 : number_rms(attribute.type, rows, decoded);
+                                                 : rms_of(0, 1, attribute.type, rows, decoded);
 }
 
 }  // namespace deltamesh

@@ -53,14 +53,11 @@ double attribute_error(const AttributeView& attribute, const AttributeRows& rows
 /// The root mean square of the errors of all values of red, green and blue, 255ths of their range; the same
 /// on every machine. `type`: u8, u16 or f32, finite; `rows`: of 3 components or more. O(n).
 double color_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
-/// The same of alpha; 0 where `rows` have only 3 components.
-double alpha_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
-/// The same of numbers, of one component, in their unit.
-double number_rms(ComponentType type, const AttributeRows& rows, std::span<const std::byte> decoded) noexcept;
-/// What a bound on the mean error is on: the larger one of colours and of alpha, or that of single numbers.
+/// What a bound on the mean error is on: the larger one of color_rms() and the same of alpha, where there is
+/// one, or that of numbers, of one component, in their unit.
 double bounded_rms(ComponentType type, const AttributeRows& rows,
                    std::span<const std::byte> decoded) noexcept;
-/// Of an attribute that mean_bound_of() has a bound for: color_rms() or number_rms().
+/// Of an attribute that mean_bound_of() has a bound for: color_rms(), or bounded_rms() of numbers.
 double attribute_rms(const AttributeView& attribute, const AttributeRows& rows,
                      std::span<const std::byte> decoded) noexcept;
 

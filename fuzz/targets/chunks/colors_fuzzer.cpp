@@ -56,8 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (at_mean_error) {
     const AttributeRows rows(view, order);
     const double rms = 1 + choice % 4;
-    const auto written = are_numbers ? write_haar_numbers(type, rows, rms, surface)
-                                     : write_haar_colors(type, rows, rms, surface);
+    const auto written = write_haar_values(type, rows, rms, surface);
     if (!written) return 0;
     const auto again = read_haar_values(written->bytes, shape, surface);
     if (!again || *again != written->values) std::abort();

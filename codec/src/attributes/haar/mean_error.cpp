@@ -25,15 +25,17 @@ constexpr StepForecast kOfOneAxis{211, 0.95};
 constexpr double kTolerance = 0.01;
 constexpr std::uint32_t kMoreSteps = 4;
 
-/// `picture`: of `rows`.
-std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, ComponentType type,
-                                                  const AttributeRows& rows, double rms,
-                                                  const AttributeSurface& surface, const HaarModels* start,
-                                                  bool about) {
-  const double unit = picture.fields.scale.unit;  // 1 of colours
-  const StepForecast forecast = picture.fields.axes == 1 ? kOfOneAxis : kOfPhotographs;
+}  // namespace
+
+std::optional<CodedValues<std::byte>> write_haar_values(ComponentType type, const AttributeRows& rows,
+                                                        double rms, const AttributeSurface& surface,
+                                                        const HaarModels* start, bool about) {
+  auto picture = rows.components() == 1 ? picture_of_numbers(type, rows) : picture_of_colors(type, rows);
+  if (!picture) return std::nullopt;
+  const double unit = picture->fields.scale.unit;  // 1 of colours
+  const StepForecast forecast = picture->fields.axes == 1 ? kOfOneAxis : kOfPhotographs;
   const auto levels = make_haar_levels(surface);
-  const HaarWriter writer(std::move(picture), levels);
+  const HaarWriter writer(*std::move(picture), levels);
   const double first = forecast.step_of_one * portable_exp2(portable_log2(rms / unit) / forecast.slope);
   Bracket bracket({.first = std::round(first),
                    .least = 1,
@@ -64,24 +66,6 @@ std::optional<CodedValues<std::byte>> search_step(HaarPicture picture, Component
     kept = reached;
   }
   return best;
-}
-
-}  // namespace
-
-std::optional<CodedValues<std::byte>> write_haar_colors(ComponentType type, const AttributeRows& rows,
-                                                        double rms, const AttributeSurface& surface,
-                                                        const HaarModels* start, bool about) {
-  auto picture = picture_of_colors(type, rows);
-  if (!picture) return std::nullopt;
-  return search_step(*std::move(picture), type, rows, rms, surface, start, about);
-}
-
-std::optional<CodedValues<std::byte>> write_haar_numbers(ComponentType type, const AttributeRows& rows,
-                                                         double rms, const AttributeSurface& surface,
-                                                         const HaarModels* start, bool about) {
-  auto picture = picture_of_numbers(type, rows);
-  if (!picture) return std::nullopt;
-  return search_step(*std::move(picture), type, rows, rms, surface, start, about);
 }
 
 }  // namespace deltamesh

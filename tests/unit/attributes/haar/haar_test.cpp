@@ -257,7 +257,7 @@ TEST(HaarColors, HAAR10AnyMeanErrorIsMetByTheStep) {
     std::size_t before = mesh.colors.size();
     for (const double decibels : {50.0, 44.0, 38.0, 31.0, 24.0}) {
       const double wanted = 255 / std::pow(10, decibels / 20);
-      const auto best = write_haar_colors(ComponentType::kU8, rows, wanted, mesh.surface());
+      const auto best = write_haar_values(ComponentType::kU8, rows, wanted, mesh.surface());
       ASSERT_TRUE(best.has_value()) << decibels;
       const double reached = rms(mesh, best->values);
       EXPECT_LE(reached, wanted) << decibels;
@@ -286,7 +286,7 @@ TEST(HaarColors, HAAR6OtherTypesAndAlpha) {
         const AttributeSurface surface = mesh.surface();
         const AttributeView view = test::view(source);
         const AttributeRows rows(view, order);
-        const auto coded = write_haar_colors(type, rows, 3, surface);
+        const auto coded = write_haar_values(type, rows, 3, surface);
         ASSERT_TRUE(coded);
         EXPECT_NEAR(color_rms(type, rows, coded->values), 3, 0.031);
         const Attribute shape{.kind = source.kind, .type = type, .components = components};

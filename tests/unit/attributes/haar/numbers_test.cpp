@@ -130,7 +130,7 @@ TEST(HaarNumbers, HAAR6RejectsNumbersWithoutAScale) {
   const Attribute source = intensities(mesh, ComponentType::kF32, 0, 1);
   const auto order = test::identity(mesh.count);
   const auto coded =
-      write_haar_numbers(source.type, AttributeRows(test::view(source), order), 3, mesh.surface());
+      write_haar_values(source.type, AttributeRows(test::view(source), order), 3, mesh.surface());
   ASSERT_TRUE(coded);
   const auto rule_with = [&](std::size_t at, float number) {
     Bytes changed = coded->bytes;
