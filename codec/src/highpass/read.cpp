@@ -7,6 +7,8 @@
 #include "base/memory/large_vector.h"
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
+#include "entropy/coder/reader.h"
+#include "field/field_coder.h"
 #include "format/chunk/tags.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
@@ -86,6 +88,30 @@ Result<HighpassSymbols> read_anchor_symbols(Payload anchors, const Components& c
 }
 
 }  // namespace
+
+Result<AnchorList> read_anchors(std::span<const std::byte> payload, std::uint32_t count) {
+  CompactReader reader(payload);
+  AnchorList list{.gaps = std::vector<std::uint32_t>(count),
+                  .steps = std::vector<std::uint32_t>(3 * std::size_t{count})};
+  code_anchors(reader, list);
+  DELTAMESH_CHECK(reader.finish(kTagAnchors));
+  return list;
+}
+
+Result<LargeVector<std::int32_t>> read_compact_deltas(std::span<const std::byte> payload,
+                                                      const Adjacency& graph) {
+  const std::size_t n = graph.vertex_count();
+  LargeVector<std::int32_t> deltas(3 * n);
+  CompactReader reader(payload);
+  FieldCoder<CompactReader> field(reader, graph);
+  for (std::uint32_t v = 0; v < n && !reader.failed(); ++v) {
+    FieldNumbers q{};
+    if (!field.code_vertex(v, q)) return broken_rule("a delta beyond 2^30 steps", "FLD-1", kTagDeltas);
+    for (std::size_t axis = 0; axis < q.size(); ++axis) deltas[axis * n + v] = q[axis];
+  }
+  DELTAMESH_CHECK(reader.finish(kTagDeltas));
+  return deltas;
+}
 
 Result<LargeVector<Vec3>> read_highpass(Payload deltas, Payload anchors, Adjacency graph,
                                         Components components, const Box& box,

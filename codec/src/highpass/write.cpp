@@ -7,6 +7,8 @@
 
 #include "base/numbers/zigzag.h"
 #include "base/try.h"
+#include "entropy/coder/writer.h"
+#include "field/field_coder.h"
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "highpass/diffusion.h"
@@ -51,6 +53,24 @@ AnchorList list_anchors(const HighpassSymbols& symbols) {
 }
 
 }  // namespace
+
+std::vector<std::byte> write_compact_anchors(AnchorList list) {
+  CompactWriter writer;
+  code_anchors(writer, list);
+  return writer.finish();
+}
+
+std::vector<std::byte> write_compact_deltas(std::span<const std::int32_t> deltas, const Adjacency& graph) {
+  const std::size_t n = graph.vertex_count();
+  CompactWriter writer;
+  writer.reserve(9 * n);
+  FieldCoder<CompactWriter> field(writer, graph);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    FieldNumbers q = {deltas[v], deltas[n + v], deltas[2 * n + v]};
+    field.code_vertex(v, q);
+  }
+  return writer.finish();
+}
 
 HighpassCoder::HighpassCoder(const Adjacency& graph, const Components& components, AnchorSequence& anchors,
                              std::span<const Vec3> positions, const Box& box, bool is_plain)
