@@ -15,7 +15,6 @@
 #include "base/threads/thread_team.h"
 #include "base/try.h"
 #include "connectivity/groups/groups.h"
-#include "connectivity/groups/names.h"
 #include "connectivity/plain/topology.h"
 #include "decoder/restore_order.h"
 #include "decoder/stream_faces.h"

@@ -14,7 +14,7 @@
 #include "base/progress.h"
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
-#include "connectivity/groups/names.h"
+#include "connectivity/groups/groups.h"
 #include "deltamesh/color_content.h"
 #include "deltamesh/model_states.h"
 #include "encoder/coded_parts.h"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <string>
+#include <utility>
+
 #include "base/broken_rule.h"
+#include "base/byte_reader.h"
 #include "base/try.h"
 #include "connectivity/groups/coder.h"
 #include "connectivity/groups/groups.h"
@@ -8,6 +12,19 @@
 #include "format/chunk/tags.h"
 
 namespace deltamesh {
+namespace {
+
+bool read_name(ByteReader& in, std::string& name) {
+  const auto size = in.read<std::uint8_t>();
+  if (!size) return false;
+  const auto letters = in.read_bytes(*size);
+  if (!letters) return false;
+  name.assign(reinterpret_cast<const char*>(letters->data()), letters->size());
+  return true;
+}
+
+}  // namespace
+
 Result<std::vector<std::uint32_t>> read_face_groups(std::span<const std::byte> payload,
                                                     std::span<const std::uint32_t> triangles,
                                                     std::uint32_t vertex_count) {
@@ -18,6 +35,19 @@ Result<std::vector<std::uint32_t>> read_face_groups(std::span<const std::byte> p
   if (reader.failed() || broken == nullptr) DELTAMESH_CHECK(reader.finish(kTagFaceGroups));
   if (broken != nullptr) return broken_rule("not the number of a group of faces", broken, kTagFaceGroups);
   return groups;
+}
+
+std::vector<GroupName> read_group_names(std::span<const std::byte> payload) {
+  ByteReader in(payload, kTagGroupNames);
+  std::vector<GroupName> names;
+  while (in.remaining() > 0) {
+    GroupName name;
+    if (names.size() == kMostGroups || !read_name(in, name.object) || !read_name(in, name.group) ||
+        !read_name(in, name.material))
+      return {};
+    names.push_back(std::move(name));
+  }
+  return names;
 }
 
 }  // namespace deltamesh
