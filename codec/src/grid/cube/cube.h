@@ -16,6 +16,9 @@
 
 namespace deltamesh::grid {
 
+/// Coordinates of a node of the grid, or of the cube whose lowest corner it is.
+using Node = std::array<std::int32_t, 3>;
+
 inline constexpr unsigned kCorners = 8;
 inline constexpr unsigned kEdges = 12;
 inline constexpr unsigned kFaces = 6;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -26,6 +27,29 @@ constexpr TurnedTriangle with_least_first(const Triangle& t) noexcept {
   if (t[1] < t[0]) turn = 1;
   if (t[2] < t[turn]) turn = 2;
   return {{t[turn], t[(turn + 1) % 3], t[(turn + 2) % 3]}, turn};
+}
+
+/// Twice the coordinates in a cube of its edges' middles, and at kInside of its own.
+inline constexpr std::array<Node, kEdges + 1> kMiddles = [] {
+  std::array<Node, kEdges + 1> middles{};
+  for (unsigned edge = 0; edge < kEdges; ++edge) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      middles[edge][axis] = 2 * static_cast<std::int32_t>(first_corner(edge) >> axis & 1);
+    middles[edge][edge / 4] = 1;
+  }
+  middles[kInside] = {1, 1, 1};
+  return middles;
+}();
+
+/// Where a face looks to whose corners are in these middles.
+inline Node normal_of(const Triangle& triangle) noexcept {
+  const Node& a = kMiddles[triangle[0]];
+  const Node& b = kMiddles[triangle[1]];
+  const Node& c = kMiddles[triangle[2]];
+  const auto component = [&](std::size_t i, std::size_t j) {
+    return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+  };
+  return {component(1, 2), component(2, 0), component(0, 1)};
 }
 
 class Pattern {

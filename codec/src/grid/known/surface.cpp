@@ -15,22 +15,10 @@
 namespace deltamesh::grid {
 namespace {
 
-using Node = std::array<std::int32_t, 3>;
 constexpr unsigned kNoAxis = 3;
 
 Bricks::Place brick_of(const Node& node) noexcept { return {node[0] >> 4, node[1] >> 4, node[2] >> 4}; }
 Spot spot_in_brick(const Node& node) noexcept { return {node[0] & 15, node[1] & 15, node[2] & 15}; }
-
-/// Twice the coordinates of the edges' middles in their cube.
-constexpr std::array<Node, kEdges> kMiddles = [] {
-  std::array<Node, kEdges> middles{};
-  for (unsigned edge = 0; edge < kEdges; ++edge) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      middles[edge][axis] = 2 * static_cast<std::int32_t>(first_corner(edge) >> axis & 1);
-    middles[edge][edge / 4] = 1;
-  }
-  return middles;
-}();
 
 }  // namespace
 
@@ -91,17 +79,6 @@ struct KnownSurface::Face {
     }
     const auto& [a, b, c] = face.edges;
     return a == b || b == c || c == a ? std::nullopt : std::optional(face);
-  }
-
-  /// Where the face looks to, if its corners are in the middles of the edges.
-  Node normal() const noexcept {
-    const Node& a = kMiddles[edges[0]];
-    const Node& b = kMiddles[edges[1]];
-    const Node& c = kMiddles[edges[2]];
-    const auto component = [&](std::size_t i, std::size_t j) {
-      return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
-    };
-    return {component(1, 2), component(2, 0), component(0, 1)};
   }
 };
 
@@ -184,7 +161,7 @@ void KnownSurface::add_face(const Face& face, bool stays) {
   const Corners known(brick, place);
   Signs outside = known.outside;
   Signs inside = known.inside;
-  const Node normal = face.normal();
+  const Node normal = normal_of(face.edges);
   for (const unsigned edge : face.edges) {
     const int way = normal[edge / 4];
     if (way == 0) continue;

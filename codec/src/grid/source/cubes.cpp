@@ -8,32 +8,6 @@
 namespace deltamesh::grid {
 namespace {
 
-using Node = EdgeVertices::Node;
-
-/// Twice the coordinates of an edge's middle, or of the cube's.
-Node middle_of(unsigned edge) noexcept {
-  if (edge == kInside) return {1, 1, 1};
-  Node middle{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    middle[axis] = 2 * static_cast<std::int32_t>(first_corner(edge) >> axis & 1);
-  middle[edge / 4] = 1;
-  return middle;
-}
-
-/// The vector product of two sides, of a triangle over the middles of edges.
-Node normal_of(const Triangle& triangle) noexcept {
-  const Node a = middle_of(triangle[0]);
-  const Node b = middle_of(triangle[1]);
-  const Node c = middle_of(triangle[2]);
-  Node normal{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3;
-    const std::size_t j = (k + 2) % 3;
-    normal[k] = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
-  }
-  return normal;
-}
-
 std::array<std::uint32_t, 3> corners_of(std::span<const std::uint32_t> triangles, std::size_t face) noexcept {
   return {triangles[3 * face], triangles[3 * face + 1], triangles[3 * face + 2]};
 }

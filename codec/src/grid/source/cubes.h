@@ -72,7 +72,7 @@ class SourceCubes {
     std::uint32_t place = 0;
   };
 
-  Address address_of(const EdgeVertices::Node& node);
+  Address address_of(const Node& node);
   std::array<std::int8_t*, kCorners> signs_around(std::uint32_t cube);
   void find_cubes(const EdgeVertices& vertices);
   void count_face(const Address& home) noexcept;

@@ -17,8 +17,6 @@ namespace deltamesh::grid {
 
 class EdgeVertices {
  public:
-  using Node = std::array<std::int32_t, 3>;
-
   /// A vertex on the edge of `axis` that begins at `node`, or inside the cube there.
   struct Home {
     static constexpr std::uint8_t kCube = 3;
