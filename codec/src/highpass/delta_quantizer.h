@@ -12,16 +12,13 @@
 
 #include "base/numbers/vec3.h"
 #include "format/highpass_parameters.h"
+#include "laplacian/operator/delta_view.h"
 
 namespace deltamesh {
 
-/// The number, in steps, that symbol `q` stands for: `q` moved towards 0 by shift_one / 256 where |q| = 1, by
-/// shift_more / 256 where it is larger [DELT-2]. Exact in double precision.
-inline double reconstruction_point(std::int32_t q, const ReconstructionShift& shift) noexcept {
-  if (q == 0) return 0;
-  const int towards_zero = q == 1 || q == -1 ? shift.one : shift.more;
-  const double magnitude = std::abs(static_cast<double>(q)) - towards_zero / 256.0;
-  return q < 0 ? -magnitude : magnitude;
+/// What symbols stand for: `shift` is in 256ths of a step.
+inline DeltaScale scale_of(double step, const ReconstructionShift& shift) noexcept {
+  return {.step = step, .shifts = {0, shift.one / 256.0, shift.more / 256.0}};
 }
 
 /// Largest magnitude of a symbol that an encoder makes.
@@ -38,7 +35,7 @@ struct DeltaQuantizer {
     const double whole = steps < 0x1p53 ? static_cast<double>(static_cast<std::int64_t>(steps)) : steps;
     return std::copysign(whole, delta);
   }
-  double value(std::int32_t q) const noexcept { return step * reconstruction_point(q, shift); }
+  double value(std::int32_t q) const noexcept { return scale_of(step, shift).value(q); }
 };
 
 /// Errors of quantised deltas, by the classes of the reconstruction shifts: symbols of size 0, 1, and larger.

@@ -11,17 +11,13 @@
 #include "base/threads/task.h"
 #include "base/try.h"
 #include "format/chunk/tags.h"
+#include "highpass/delta_quantizer.h"
 #include "highpass/symbols.h"
 #include "laplacian/solver.h"
 #include "topology/vertex_subset.h"
 
 namespace deltamesh {
 namespace {
-
-DeltaScale scale_of(const HighpassParameters& parameters) noexcept {
-  return {.step = parameters.step,
-          .shifts = {0, parameters.shift.one / 256.0, parameters.shift.more / 256.0}};
-}
 
 /// Of the solved anchors, relative to the middle of the box.
 std::vector<Vec3> anchor_targets(const HighpassSymbols& symbols, const SolvedPart& part, const Box& box,
@@ -112,10 +108,11 @@ Result<LargeVector<Vec3>> reconstruct_highpass(const HighpassSymbols& symbols, c
                                                const HighpassParameters& parameters) {
   LargeVector<Vec3> positions(part.whole_count);
   if (part.row_count > 0) {
-    DELTAMESH_CHECK(solver.solve(anchor_rows(symbols.anchors, part),
-                                 DeltaView(symbols.deltas.view(), scale_of(parameters)),
-                                 anchor_targets(symbols, part, box, parameters), parameters.cycles,
-                                 std::span(positions).first(part.row_count)));
+    DELTAMESH_CHECK(
+        solver.solve(anchor_rows(symbols.anchors, part),
+                     DeltaView(symbols.deltas.view(), scale_of(parameters.step, parameters.shift)),
+                     anchor_targets(symbols, part, box, parameters), parameters.cycles,
+                     std::span(positions).first(part.row_count)));
   }
   DELTAMESH_CHECK(complete_positions(symbols, part.vertices, box, parameters, positions));
   return positions;
@@ -127,7 +124,7 @@ Result<void> follow_rounding(std::span<const Vec3> positions, std::span<const Ve
                              const PlannedSolver::Look& look) {
   // The problem is that of the errors, in steps: these are small, so that nothing is lost.
   const double per_step = 1 / parameters.step;
-  const DeltaView rounded(symbols.deltas.view(), scale_of(parameters));
+  const DeltaView rounded(symbols.deltas.view(), scale_of(parameters.step, parameters.shift));
   std::vector<Vec3> errors(part.row_count);
   for (std::size_t row = 0; row < errors.size(); ++row) errors[row] = per_step * (rounded[row] - deltas[row]);
   const std::vector<std::uint32_t> anchors = anchor_rows(symbols.anchors, part);
@@ -153,9 +150,10 @@ Result<LargeVector<Vec3>> reconstruct_highpass_once(const ReadSymbols& read_delt
     const std::vector<std::uint32_t> rows = anchor_rows(anchors.anchors, part);
     SingleSolve solve({graph, components, team}, rows);
     DELTAMESH_TRY(const SymbolRows deltas, reading.get());
-    DELTAMESH_TRY(positions, std::move(solve).solve(DeltaView(deltas.view(), scale_of(parameters)),
-                                                    anchor_targets(anchors, part, box, parameters),
-                                                    parameters.cycles, part.whole_count));
+    DELTAMESH_TRY(positions,
+                  std::move(solve).solve(
+                      DeltaView(deltas.view(), scale_of(parameters.step, parameters.shift)),
+                      anchor_targets(anchors, part, box, parameters), parameters.cycles, part.whole_count));
   } else {
     DELTAMESH_TRY([[maybe_unused]] const auto none, read_deltas(part.graph));
     positions.resize(part.whole_count);
