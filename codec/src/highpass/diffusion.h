@@ -23,7 +23,7 @@ namespace deltamesh {
 /// 0 every delta is quantised alone. `rate_weight`: 0 takes the nearest symbols, more prefers cheap ones.
 /// `deltas`: n; `graph` has no isolated vertices.
 /// Returns 3 n symbols: x of every vertex, then y, then z. Errors: kInvalidArgument where a symbol exceeds
-/// 2^30. O(n + edges).
+/// kLargestSymbol. O(n + edges).
 Result<std::vector<std::int32_t>> quantize_deltas(const Adjacency& graph, std::span<const Vec3> deltas,
                                                   const DeltaQuantizer& quantizer, double strength,
                                                   double rate_weight = 0);

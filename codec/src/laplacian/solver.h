@@ -88,8 +88,7 @@ class PlannedSetup {
 /// same anchors.
 class PlannedSolver {
  public:
-  PlannedSolver(const Adjacency& graph, const Components& components, ThreadTeam* team = nullptr)
-      : graph_{graph, components, team} {}
+  PlannedSolver(const Adjacency& graph, const Components& components) : graph_{graph, components} {}
   PlannedSolver(const PlannedSolver&) = delete;
   PlannedSolver& operator=(const PlannedSolver&) = delete;
 

@@ -181,9 +181,6 @@ class ResidualTurn {
 class ResidualHistory {
  public:
   explicit ResidualHistory(std::uint32_t vertex_count) : records_(vertex_count) {}
-  /// Starts with `record` for every vertex.
-  ResidualHistory(std::uint32_t vertex_count, const ResidualRecord& record)
-      : records_(vertex_count, record) {}
 
   Outlook outlook(const Surroundings& around, const Expectation& expected) const noexcept {
     Outlook result{.expected = expected,

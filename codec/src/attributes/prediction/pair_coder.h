@@ -31,7 +31,7 @@ struct PairContext {
   std::uint32_t kind = 0;                 ///< below kPairKinds; 0 where nothing is known
 };
 
-/// `Coder` is CompactWriter, CompactReader or CompactPricer.
+/// `Coder` is CompactWriter or CompactReader.
 template <class Coder>
 class PairCoder {
  public:

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -54,7 +55,7 @@ class SymbolView {
 class SymbolRows {
  public:
   SymbolRows() = default;
-  /// `planar`: x of all vertices, then y, then z. O(n), shared by the team.
+  /// `planar`: x of all vertices, then y, then z. O(n).
   explicit SymbolRows(std::span<const std::int32_t> planar);
 
   std::size_t size() const noexcept { return short_.size() + long_.size(); }

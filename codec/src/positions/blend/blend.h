@@ -60,12 +60,6 @@ struct Expectation {
   FourInts whole{};   ///< a lattice point
   FourInts offset{};  ///< from there to the place, 1/16 steps; less than 2^26 in size
   FourInts spread{};  ///< mean distance of the sources from their mean, 1/16 steps; at most 2^30
-
-  /// 1/16 steps
-  std::array<std::int64_t, 3> place() const noexcept {
-    return {16 * std::int64_t{whole[0]} + offset[0], 16 * std::int64_t{whole[1]} + offset[1],
-            16 * std::int64_t{whole[2]} + offset[2]};
-  }
 };
 
 /// Without known faces the vertex before, or 0.
