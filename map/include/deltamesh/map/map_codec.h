@@ -45,8 +45,8 @@ class MapCodec {
 };
 
 /// `description` with primers for parts of this quality: of the largest of `parts` those that pay, up to 16
-/// KB of them or one; a single part always, as it costs nothing and parts to come learn from it. Cost: encodes
-/// a sample of the parts several times. Errors: as MapCodec::encode().
+/// KB of them or one; a single part always, as it costs nothing and parts to come learn from it. Cost:
+/// encodes a sample of the parts several times. Errors: as MapCodec::encode().
 Result<MapDescription> with_primers(MapDescription description, std::span<const MapPart> parts,
                                     const PartQuality& quality = {}) noexcept;
 
