@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/checked.h"
 #include "document/references.h"
 #include "io/gltf/accessor.h"
 
@@ -35,7 +36,8 @@ OtherBytes count_others(const Document& document) {
   for_each_sampled_accessor(document.json,
                             [&](const Json& accessor) { accessors.insert(accessor.get<std::size_t>()); });
   for (const std::size_t accessor : accessors)
-    if (const auto stored = stored_bytes(document, accessor)) bytes.animations += *stored;
+    if (const auto stored = stored_bytes(document, accessor))
+      bytes.animations = saturating_add(bytes.animations, *stored);
   const Json* images = find(document.json, "images");
   std::set<std::uint64_t> views;
   for (std::size_t i = 0; images && i < images->size(); ++i) {
@@ -44,7 +46,8 @@ OtherBytes count_others(const Document& document) {
     const Json* view = find(image, "bufferView");
     if (view && view->is_number_unsigned()) views.insert(view->get<std::uint64_t>());
   }
-  for (const std::uint64_t view : views) bytes.images += view_length(document.json, view);
+  for (const std::uint64_t view : views)
+    bytes.images = saturating_add(bytes.images, view_length(document.json, view));
   return bytes;
 }
 

@@ -92,6 +92,23 @@ TEST(Groups, WithoutNamesOrWithEqualOnesStayApart) {
   EXPECT_FALSE(write_mesh(mesh, FileFormat::kObj));
 }
 
+TEST(Groups, GltfMaterialsThatDoNotExistHaveNoName) {
+  constexpr int kPrimitives = 6;
+  const std::string primitive = R"({"attributes":{"POSITION":0},"extras":{"group":"g"},"material":)";
+  std::string primitives = R"({"attributes":{"POSITION":0},"extras":{"group":"g"}})";
+  for (const char* material : {"0", "1", "4294967295", "18446744073709551614", "18446744073709551615"})
+    primitives += ',' + primitive + material + '}';
+  const auto read =
+      test::read_text(R"({"asset":{"version":"2.0"},"materials":[{"name":"oak"}],"meshes":[{"primitives":[)" +
+                          primitives + R"(]}],"accessors":[{"componentType":5126,"type":"VEC3","count":3}]})",
+                      FileFormat::kGltf);
+  ASSERT_TRUE(read) << describe(read.error());
+  std::vector<GroupName> names(kPrimitives, GroupName{"", "g", ""});
+  names[1].material = "oak";
+  EXPECT_EQ(names_of_faces(read->mesh), names);
+  EXPECT_EQ(read->mesh.face_groups, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
+}
+
 TEST(Groups, FormatsWithoutGroupsTell) {
   const auto source = test::read_text(kNamed, FileFormat::kObj);
   ASSERT_TRUE(source);

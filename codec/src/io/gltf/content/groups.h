@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -20,7 +21,8 @@ class PrimitiveGroups {
  public:
   explicit PrimitiveGroups(const Json& json) : json_(json) {}
 
-  /// Of a primitive of mesh number `mesh`. Groups are numbered as they are met.
+  /// Of a primitive of mesh number `mesh`. Groups are numbered as they are met. A material that the asset
+  /// does not have is one without a name.
   std::uint32_t number_of(const Json& primitive, std::size_t mesh) {
     Key key{.mesh = mesh, .name = {}};
     key.name.object = text_of(json_["meshes"][mesh], "name");
@@ -28,12 +30,11 @@ class PrimitiveGroups {
       if (const std::string object = text_of(*extras, "object"); !object.empty()) key.name.object = object;
       key.name.group = text_of(*extras, "group");
     }
-    const Json* const materials = find(json_, "materials");
     if (const Json* const index = find(primitive, "material");
         index != nullptr && index->is_number_unsigned()) {
-      key.material = index->get<std::uint64_t>() + 1;
-      if (materials != nullptr && materials->is_array() && key.material <= materials->size())
-        key.name.material = text_of((*materials)[key.material - 1], "name");
+      key.material = index->get<std::uint64_t>();
+      if (*key.material < array_size(json_, "materials"))
+        key.name.material = text_of(json_["materials"][static_cast<std::size_t>(*key.material)], "name");
     }
     return groups_.emplace(key, static_cast<std::uint32_t>(groups_.size())).first->second;
   }
@@ -56,7 +57,7 @@ class PrimitiveGroups {
  private:
   struct Key {
     std::size_t mesh = 0;
-    std::uint64_t material = 0;  ///< its number and 1; or 0
+    std::optional<std::uint64_t> material{};  ///< its number, which may be beyond the array
     GroupName name;
     bool operator<(const Key& other) const noexcept {
       return std::tie(mesh, material, name) < std::tie(other.mesh, other.material, other.name);
