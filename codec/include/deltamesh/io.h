@@ -102,8 +102,8 @@ Result<Imported> read_mesh_file(const std::string& path, const ReadOptions& opti
 /// Writes a mesh to bytes (kGltf: one self-contained JSON with embedded buffers). A mesh with an origin is
 /// written with double coordinates where the format has them (PLY, OBJ, OFF), as a node translation in glTF;
 /// STL is float32 only. `report`: where to put what the format cannot hold; may be null. Errors: kInvalidMesh
-/// (sizes that disagree, index out of range), kNotFinite (glTF), kLimitExceeded (more than the format can
-/// hold), kOutOfMemory, kUnknownFormat.
+/// (sizes that disagree, index or number of components out of range), kNotFinite (glTF), kLimitExceeded (more
+/// than the format or a stream can hold), kOutOfMemory, kUnknownFormat.
 Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format,
                                           WriteReport* report = nullptr) noexcept;
 

@@ -51,7 +51,18 @@ std::size_t first_not_below(std::span<const std::uint32_t> indices, std::size_t 
   return indices.size();
 }
 
-Result<void> check_attribute(const AttributeView& a, std::size_t vertices, std::size_t index) {
+Result<void> check_finite(const MeshView& mesh) noexcept {
+  for (const double x : mesh.origin)
+    if (!std::isfinite(x)) return invalid_mesh("the origin is not finite");
+  if (const auto i = first_not_finite(mesh.positions); i < mesh.positions.size())
+    return Error{.code = ErrorCode::kNotFinite,
+                 .message = "a coordinate is NaN or infinite",
+                 .where_kind = WhereKind::kVertex,
+                 .where = i / 3};
+  return {};
+}
+
+Result<void> check_attribute(const AttributeView& a, std::size_t vertices, std::size_t index) noexcept {
   if (a.components < 1 || a.components > kMaxComponents)
     return invalid_mesh("an attribute has 1 to 16 components", WhereKind::kAttribute, index);
   if (a.name.size() > kMaxAttributeName)
@@ -63,7 +74,7 @@ Result<void> check_attribute(const AttributeView& a, std::size_t vertices, std::
 
 }  // namespace
 
-Result<void> check_mesh(const MeshView& mesh) {
+Result<void> check_mesh(const MeshView& mesh, bool finite) noexcept {
   if (mesh.positions.size() % 3 != 0) return invalid_mesh("positions are not three numbers per vertex");
   if (mesh.triangles.size() % 3 != 0) return invalid_mesh("triangles are not three indices each");
   const std::size_t vertices = mesh.vertex_count();
@@ -71,14 +82,7 @@ Result<void> check_mesh(const MeshView& mesh) {
     return Error{.code = ErrorCode::kLimitExceeded,
                  .message = "more than 2^31 - 1 vertices or 2^29 triangles",
                  .rule = "HDR-6"};
-  for (const double x : mesh.origin) {
-    if (!std::isfinite(x)) return invalid_mesh("the origin is not finite");
-  }
-  if (const auto i = first_not_finite(mesh.positions); i < mesh.positions.size())
-    return Error{.code = ErrorCode::kNotFinite,
-                 .message = "a coordinate is NaN or infinite",
-                 .where_kind = WhereKind::kVertex,
-                 .where = i / 3};
+  if (finite) DELTAMESH_CHECK(check_finite(mesh));
   if (const auto i = first_not_below(mesh.triangles, vertices); i < mesh.triangles.size())
     return invalid_mesh("an index is not below the number of vertices", WhereKind::kTriangle, i / 3);
   if (!mesh.face_groups.empty() && mesh.face_groups.size() != mesh.triangle_count())

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "format/chunk/attribute_descriptor.h"
+
 namespace deltamesh {
 namespace {
 

@@ -8,8 +8,6 @@
 
 namespace deltamesh {
 
-constexpr std::size_t kMaxAttributeName = 255;  ///< bytes
-
 /// UTF-8 (RFC 3629: shortest form, no surrogates), 1 to 255 bytes.
 bool is_attribute_name(std::string_view name) noexcept;
 

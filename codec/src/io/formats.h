@@ -23,13 +23,12 @@ Result<Imported> read_off(std::span<const std::byte> bytes);
 /// glTF and GLB, told apart by content. `folder`: where relative URIs are resolved; empty: no file is opened.
 Result<Imported> read_gltf(std::span<const std::byte> bytes, std::string_view folder);
 
+/// Of meshes that check_mesh() accepts, but for coordinates that are not finite.
 std::vector<std::byte> write_ply(const MeshView& mesh, WriteReport& report);
 std::vector<std::byte> write_obj(const MeshView& mesh, WriteReport& report);
 std::vector<std::byte> write_off(const MeshView& mesh, WriteReport& report);
-/// Errors: kLimitExceeded (more than 2^32 - 1 triangles).
-Result<std::vector<std::byte>> write_stl(const MeshView& mesh, WriteReport& report);
-/// Errors: kNotFinite (a position: glTF cannot state its bounds), kLimitExceeded (over 4
-/// GiB).
+std::vector<std::byte> write_stl(const MeshView& mesh, WriteReport& report);
+/// Precondition: coordinates are finite. Errors: kLimitExceeded (over 4 GiB).
 Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary, WriteReport& report);
 
 }  // namespace deltamesh

@@ -4,11 +4,11 @@
 // Dispatch by format, and the checks that are common to all formats.
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "base/guard.h"
 #include "base/try.h"
+#include "connectivity/check_mesh.h"
 #include "deltamesh/io.h"
 #include "io/colors.h"
 #include "io/formats.h"
@@ -63,39 +63,6 @@ Result<std::vector<std::byte>> write_as(const MeshView& mesh, FileFormat format,
   return Error{.code = ErrorCode::kUnknownFormat, .message = "no exporter for this format"};
 }
 
-/// What every writer relies on.
-Result<void> check(const MeshView& mesh) noexcept {
-  const std::size_t n = mesh.vertex_count();
-  if (mesh.positions.size() % 3 != 0 || mesh.triangles.size() % 3 != 0)
-    return Error{.code = ErrorCode::kInvalidMesh, .message = "positions or triangles are no whole triples"};
-  if (n > std::numeric_limits<std::uint32_t>::max())
-    return Error{.code = ErrorCode::kInvalidMesh, .message = "more vertices than a 32-bit index can name"};
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    if (mesh.triangles[i] >= n)
-      return Error{.code = ErrorCode::kInvalidMesh,
-                   .message = "a triangle names a vertex that does not exist",
-                   .where_kind = WhereKind::kTriangle,
-                   .where = i / 3};
-  if (!mesh.face_groups.empty() && mesh.face_groups.size() != mesh.triangle_count())
-    return Error{.code = ErrorCode::kInvalidMesh, .message = "there is not one group for every triangle"};
-  const auto too_large = std::find_if(mesh.face_groups.begin(), mesh.face_groups.end(),
-                                      [](std::uint32_t group) { return group >= (1U << 16); });
-  if (too_large != mesh.face_groups.end())
-    return Error{.code = ErrorCode::kInvalidMesh,
-                 .message = "a group of 2^16 or above",
-                 .where_kind = WhereKind::kTriangle,
-                 .where = static_cast<std::uint64_t>(too_large - mesh.face_groups.begin())};
-  for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
-    const AttributeView& attribute = mesh.attributes[a];
-    if (attribute.values.size() != n * attribute.components * component_size(attribute.type))
-      return Error{.code = ErrorCode::kInvalidMesh,
-                   .message = "an attribute has not one value per vertex",
-                   .where_kind = WhereKind::kAttribute,
-                   .where = a};
-  }
-  return {};
-}
-
 std::string folder_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   if (slash == path.npos) return ".";
@@ -139,7 +106,9 @@ Result<Imported> read_mesh_file(const std::string& path, const ReadOptions& opti
 
 Result<std::vector<std::byte>> write_mesh(const MeshView& mesh, FileFormat format,
                                           WriteReport* report) noexcept {
-  DELTAMESH_CHECK(check(mesh));
+  // Text may say "nan", which glTF forbids.
+  const bool finite = format == FileFormat::kGltf || format == FileFormat::kGlb;
+  DELTAMESH_CHECK(check_mesh(mesh, finite));
   const auto write = [&] {
     WriteReport unwanted;
     return write_as(mesh, format, report != nullptr ? *report : unwanted);

@@ -106,6 +106,24 @@ TEST_P(EveryFormat, RefusesBrokenMeshes) {
   EXPECT_EQ(values.error().where, 1U);
 }
 
+TEST_P(EveryFormat, RefusesAttributesWithoutComponentsOrWithTooMany) {
+  for (const AttributeKind kind :
+       {AttributeKind::kGeneric, AttributeKind::kNormal, AttributeKind::kColor, AttributeKind::kUv,
+        AttributeKind::kTangent, AttributeKind::kJoints, AttributeKind::kWeights})
+    for (const ComponentType type : {ComponentType::kU8, ComponentType::kF64})
+      for (const unsigned components : {0U, 17U, 255U}) {
+        Mesh mesh = small_mesh();
+        Attribute& odd = mesh.attributes.emplace_back(Attribute{.kind = kind, .type = type, .name = "x"});
+        odd.components = static_cast<std::uint8_t>(components);
+        odd.values.resize(mesh.vertex_count() * components * component_size(type));
+        const auto written = write_mesh(mesh, GetParam());
+        ASSERT_FALSE(written);
+        EXPECT_EQ(written.error().code, ErrorCode::kInvalidMesh);
+        EXPECT_EQ(written.error().where_kind, WhereKind::kAttribute);
+        EXPECT_EQ(written.error().where, 0U);
+      }
+}
+
 TEST_P(EveryFormat, NonFiniteCoordinatesAreKeptOrRefused) {
   Mesh mesh = small_mesh();
   mesh.positions[4] = std::numeric_limits<float>::quiet_NaN();

@@ -19,7 +19,6 @@
 
 #include "base/byte_writer.h"
 #include "base/numbers/vec3.h"
-#include "base/try.h"
 #include "io/formats.h"
 #include "io/gltf/accessor.h"
 #include "io/gltf/content/narrow.h"
@@ -234,7 +233,6 @@ class GltfBuilder {
 }  // namespace
 
 Result<std::vector<std::byte>> write_gltf(const MeshView& mesh, bool binary, WriteReport& report) {
-  DELTAMESH_CHECK(check_finite(mesh));
   tinygltf::Model model = GltfBuilder(mesh, report).build();
   constexpr std::size_t kDescription = std::size_t{1} << 20;  // more than the JSON of one primitive takes
   if (binary && !model.buffers.empty() &&

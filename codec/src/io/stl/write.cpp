@@ -45,10 +45,8 @@ void report_losses(const MeshView& mesh, WriteReport& report) {
 
 }  // namespace
 
-Result<std::vector<std::byte>> write_stl(const MeshView& mesh, WriteReport& report) {
+std::vector<std::byte> write_stl(const MeshView& mesh, WriteReport& report) {
   report_losses(mesh, report);
-  if (mesh.triangle_count() > std::numeric_limits<std::uint32_t>::max())
-    return Error{.code = ErrorCode::kLimitExceeded, .message = "more triangles than an STL file can hold"};
   // Readers take a header that begins with "solid" for text.
   constexpr std::string_view kTitle = "binary STL written by deltamesh";
   std::array<char, 80> header{};

@@ -72,14 +72,4 @@ Vec3 unit_direction(const AttributeView& attribute, std::size_t vertex, const Ve
   return std::fabs(size - 1) > kTolerance ? (1 / size) * value : value;
 }
 
-Result<void> check_finite(const MeshView& mesh) noexcept {
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    if (!std::isfinite(mesh.positions[i]))
-      return Error{.code = ErrorCode::kNotFinite,
-                   .message = "glTF cannot hold a coordinate that is not finite",
-                   .where_kind = WhereKind::kVertex,
-                   .where = i / 3};
-  return {};
-}
-
 }  // namespace deltamesh

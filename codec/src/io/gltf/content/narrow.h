@@ -22,7 +22,4 @@ AttributeView with_gltf_type(const AttributeView& attribute, std::vector<Attribu
 /// become `otherwise`.
 Vec3 unit_direction(const AttributeView& attribute, std::size_t vertex, const Vec3& otherwise) noexcept;
 
-/// Errors: kInvalidMesh.
-Result<void> check_finite(const MeshView& mesh) noexcept;
-
 }  // namespace deltamesh
