@@ -7,14 +7,18 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 namespace deltamesh {
@@ -61,13 +65,20 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) noexcept {
   return true;
 }
 
-/// As the file that is replaced has it, or a newly created one.
-bool set_mode(int descriptor, const std::string& target) noexcept {
-  struct stat status {};
-  if (stat(target.c_str(), &status) == 0) return fchmod(descriptor, status.st_mode & 07777U) == 0;
-  const mode_t mask = umask(0);
-  umask(mask);
-  return fchmod(descriptor, static_cast<mode_t>(0666) & ~mask) == 0;
+/// A new file beside `target`, open for writing; `name` becomes its path. Its mode is what the process's
+/// umask leaves of `mode`. -1: there is none.
+int create_beside(const std::string& target, mode_t mode, std::string& name) {
+  constexpr int kTries = 100;
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz012345";
+  for (int i = 0; i < kTries; ++i) {
+    std::array<std::uint8_t, 6> random{};
+    if (getentropy(random.data(), random.size()) != 0) return -1;
+    name = target + '.';
+    for (const std::uint8_t byte : random) name += kLetters[byte % kLetters.size()];
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+  return -1;
 }
 
 /// What a chain of symbolic links leads to, whether or not it exists: links stay, and what they point to is
@@ -93,12 +104,17 @@ Result<void> write_in_place(const std::string& path, std::span<const std::byte> 
   return {};
 }
 
+/// The new file has the mode of the one that it replaces, or that of a newly created one.
 Result<void> replace_file(const std::string& target, std::span<const std::byte> bytes) {
-  std::string temporary = target + ".XXXXXX";
+  struct stat before {};
+  const bool replaces = stat(target.c_str(), &before) == 0;
+  std::string temporary;
   const StopsHeldBack guard;
-  const int descriptor = mkstemp(temporary.data());
+  const int descriptor = create_beside(target, replaces ? 0600 : 0666, temporary);
   if (descriptor < 0) return kCannotCreate;
-  const bool written = write_all(descriptor, bytes) && set_mode(descriptor, target) && fsync(descriptor) == 0;
+  const bool written = write_all(descriptor, bytes) &&
+                       (!replaces || fchmod(descriptor, before.st_mode & 07777U) == 0) &&
+                       fsync(descriptor) == 0;
   if (close(descriptor) == 0 && written && std::rename(temporary.c_str(), target.c_str()) == 0) return {};
   unlink(temporary.c_str());
   return kCannotWrite;

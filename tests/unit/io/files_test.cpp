@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <filesystem>
 #include <string_view>
+#include <thread>
 
 #include "deltamesh/io.h"
 
@@ -49,6 +53,45 @@ TEST_F(Files, KeepsLinks) {
   EXPECT_TRUE(fs::is_symlink(in_folder("link")));
   EXPECT_EQ(text_of(in_folder("real")), "new");
   EXPECT_EQ(count(), 2U);
+}
+
+TEST_F(Files, ModesAreThoseOfNewFilesOrOfTheFileBefore) {
+  const auto mode_of = [&](const char* name) {
+    return fs::status(in_folder(name)).permissions() & fs::perms::all;
+  };
+  const mode_t before = umask(027);
+  ASSERT_TRUE(write_file(in_folder("a"), bytes_of("new")));
+  umask(before);
+  EXPECT_EQ(mode_of("a"), fs::perms{0640});
+  for (const fs::perms mode : {fs::perms{0666}, fs::perms{0600}, fs::perms{0755}}) {
+    fs::permissions(in_folder("a"), mode);
+    ASSERT_TRUE(write_file(in_folder("a"), bytes_of("newer")));
+    EXPECT_EQ(mode_of("a"), mode);
+  }
+}
+
+TEST_F(Files, TheUmaskStaysWhileFilesAreWritten) {
+  std::atomic<bool> done = false;
+  bool open_to_all = false;
+  const mode_t before = umask(022);
+  std::thread other([&] {
+    while (!done) {
+      const std::string path = in_folder("other");
+      const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT, 0666);
+      struct stat status {};
+      open_to_all = open_to_all || fstat(descriptor, &status) != 0 || (status.st_mode & 022U) != 0;
+      close(descriptor);
+      unlink(path.c_str());
+    }
+  });
+  for (int i = 0; i < 60; ++i) {
+    fs::remove(in_folder("a"));
+    EXPECT_TRUE(write_file(in_folder("a"), bytes_of("x")));
+  }
+  done = true;
+  other.join();
+  umask(before);
+  EXPECT_FALSE(open_to_all);
 }
 
 TEST_F(Files, LeavesNothingBehindOnFailure) {
