@@ -11,7 +11,6 @@
 #include "deltamesh/encode.h"
 #include "entropy/expand_chunk.h"
 #include "format/container.h"
-#include "format/container_write.h"
 #include "support/meshes.h"
 #include "support/same_mesh.h"
 

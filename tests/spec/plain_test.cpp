@@ -19,7 +19,6 @@
 #include "deltamesh/encode.h"
 #include "entropy/arrays.h"
 #include "format/container.h"
-#include "format/container_write.h"
 #include "positions/plain.h"
 #include "spec/example_lines.h"
 #include "support/attribute_coding.h"

@@ -20,7 +20,7 @@
 #include "encoder/coded_parts.h"
 #include "encoder/coded_topology.h"
 #include "entropy/chunk_list.h"
-#include "format/container_write.h"
+#include "format/container.h"
 #include "search/request.h"
 #include "states/stream_models.h"
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "format/container_write.h"
+#include "format/container.h"
 
 namespace deltamesh {
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "base/byte_writer.h"
 #include "format/field_io.h"
 #include "format/header_fields.h"
 
@@ -73,6 +74,17 @@ float to_finite_float(double value) noexcept {
 
 Box FileHeader::box() const noexcept {
   return {{box_min[0], box_min[1], box_min[2]}, {box_max[0], box_max[1], box_max[2]}};
+}
+
+std::vector<std::byte> write_header(const FileHeader& header) {
+  ByteWriter out;
+  const std::uint8_t flags = flags_of(header);
+  for (const char letter : kMagic) out.write(letter);
+  out.write(kFormatVersion);
+  out.write(flags);
+  FieldWriter fields(out);
+  visit_fields(fields, flags, header);
+  return out.take();
 }
 
 Result<void> read_signature(ByteReader& in) {

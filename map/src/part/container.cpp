@@ -11,7 +11,6 @@
 #include "base/try.h"
 #include "format/container.h"
 #include "format/container_frame.h"
-#include "format/container_write.h"
 #include "format/field_io.h"
 #include "format/header.h"
 #include "format/header_fields.h"

@@ -48,7 +48,7 @@ AttributeDescriptor descriptor_of(const Shape& a) {
       .name = std::string(a.name)};
 }
 
-/// Writes one byte for a usual attribute (usual_attributes.h), and three more for each error that is not 0.
+/// Writes one byte for a usual attribute, and three more for each error that is not 0.
 void write_descriptor(ByteWriter& out, const AttributeDescriptor& attribute);
 
 /// Reads a descriptor. Errors: kTruncated, kInvalidStream [ATTR-1].

@@ -33,6 +33,14 @@ Result<std::uint32_t> read_tag(ByteReader& in, unsigned kind) {
 
 }  // namespace
 
+void write_chunk_header(ByteWriter& out, const ChunkEntry& entry) {
+  const unsigned kind = kind_of(entry.tag);
+  out.write(static_cast<std::uint8_t>(kind | static_cast<unsigned>(entry.codec) << kCodecShift));
+  if (kind == kLetters) out.write(entry.tag);
+  out.write_varint(entry.coded_bytes);
+  if (entry.codec == ChunkCodec::kZstd) out.write_varint(entry.decoded_bytes);
+}
+
 Result<ChunkEntry> read_chunk_header(ByteReader& in) {
   DELTAMESH_TRY(const auto first, in.read<std::uint8_t>());
   const unsigned codec = first >> kCodecShift;
