@@ -15,21 +15,6 @@ namespace deltamesh {
 
 namespace {
 
-/// All of `stream` but the checksum, which is checked. Errors: kTruncated, kCorrupt [CNT-2].
-Result<std::span<const std::byte>> check_whole(std::span<const std::byte> stream) {
-  if (stream.size() < kChecksumBytes)
-    return Error{.code = ErrorCode::kTruncated, .message = "bytes end before the checksum", .rule = "CNT-2"};
-  const auto covered = stream.first(stream.size() - kChecksumBytes);
-  ByteReader in(stream.last(kChecksumBytes));
-  DELTAMESH_TRY(const auto stored, in.read<std::uint32_t>());
-  if (checksum_holds(stored, checksum_of(covered))) return covered;
-  return Error{.code = ErrorCode::kCorrupt,
-               .message = "the checksum does not match: the stream is damaged or cut off",
-               .rule = "CNT-2",
-               .where_kind = WhereKind::kByte,
-               .where = covered.size()};
-}
-
 /// Of any chunk but those that are skipped [DIR-5].
 std::uint64_t longest_payload(const FileHeader& header) noexcept {
   return 1024 + 160 * (std::uint64_t{header.vertices} + header.triangles);
@@ -67,7 +52,9 @@ CodedChunk filler_of(std::uint64_t bytes) {
 Result<Container> Container::open(std::span<const std::byte> stream) {
   ByteReader signature(stream);
   DELTAMESH_CHECK(read_signature(signature));
-  DELTAMESH_TRY(const auto covered, check_whole(stream));
+  DELTAMESH_TRY(const auto covered,
+                check_whole(stream, "the checksum does not match: the stream is damaged or cut off", "CNT-2",
+                            checksum_of));
   Container container;
   container.stream_ = stream;
   ByteReader in(covered);

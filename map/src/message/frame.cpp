@@ -59,15 +59,9 @@ Result<std::span<const std::byte>> open_message(std::span<const std::byte> messa
   DELTAMESH_TRY(const auto stored_kind, in.read<std::uint8_t>());
   if (in.remaining() < kChecksumBytes)
     return in.error(ErrorCode::kTruncated, "bytes end before the checksum", "MAP-1");
-  const auto covered = message.first(message.size() - kChecksumBytes);
-  ByteReader end(message.last(kChecksumBytes));
-  DELTAMESH_TRY(const auto stored, end.read<std::uint32_t>());
-  if (!checksum_holds(stored, checksum_of(covered)))
-    return Error{.code = ErrorCode::kCorrupt,
-                 .message = "the checksum does not match: the message is damaged or cut off",
-                 .rule = "MAP-1",
-                 .where_kind = WhereKind::kByte,
-                 .where = covered.size()};
+  DELTAMESH_TRY(const auto covered,
+                check_whole(message, "the checksum does not match: the message is damaged or cut off",
+                            "MAP-1", checksum_of));
   if (stored_kind != static_cast<std::uint8_t>(kind))
     return in.error(ErrorCode::kInvalidStream, "a message of another kind", "MAP-1");
   return covered.subspan(in.position());

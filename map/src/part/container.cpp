@@ -28,22 +28,14 @@ std::uint64_t elements_of(const FileHeader& header) noexcept {
   return std::uint64_t{header.vertices} + header.triangles;
 }
 
-Result<std::span<const std::byte>> check_whole(const PartPlace& place, std::span<const std::byte> bytes) {
-  if (bytes.size() < kChecksumBytes)
-    return Error{.code = ErrorCode::kTruncated, .message = "bytes end before the checksum", .rule = "MAP-7"};
+/// The part's bytes before its checksum, which is checked.
+Result<std::span<const std::byte>> check_part(const PartPlace& place, std::span<const std::byte> bytes) {
   if (bytes.size() > kMostPartOctets)
     return Error{
         .code = ErrorCode::kInvalidStream, .message = "a part of more than 65536 bytes", .rule = "MAP-7"};
-  const auto covered = bytes.first(bytes.size() - kChecksumBytes);
-  ByteReader end(bytes.last(kChecksumBytes));
-  DELTAMESH_TRY(const auto stored, end.read<std::uint32_t>());
-  if (!checksum_holds(stored, part_checksum(place, covered)))
-    return Error{.code = ErrorCode::kCorrupt,
-                 .message = "the checksum does not match: damaged, or another part, map or epoch",
-                 .rule = "MAP-7",
-                 .where_kind = WhereKind::kByte,
-                 .where = covered.size()};
-  return covered;
+  const auto checksum = [&](std::span<const std::byte> covered) { return part_checksum(place, covered); };
+  return check_whole(bytes, "the checksum does not match: damaged, or another part, map or epoch", "MAP-7",
+                     checksum);
 }
 
 /// Whether `flags` are those of a part that is not the primer.
@@ -148,7 +140,7 @@ std::optional<std::size_t> primer_of(std::span<const std::byte> octets) noexcept
 }
 
 Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> bytes) {
-  DELTAMESH_TRY(const auto covered, check_whole(place, bytes));
+  DELTAMESH_TRY(const auto covered, check_part(place, bytes));
   ByteReader in(covered);
   DELTAMESH_TRY(const auto flags, in.read<std::uint8_t>());
   if (flags == kFlagPrimer) {

@@ -68,17 +68,12 @@ std::vector<std::byte> write_body(const PartPlace& place, std::uint64_t base_has
 
 Result<PatchBody> open_body(const PartPlace& place, std::uint64_t base_hash,
                             std::span<const std::byte> bytes) {
-  if (bytes.size() < kChecksumBytes)
-    return Error{.code = ErrorCode::kTruncated, .message = "bytes end before the checksum", .rule = "MAP-17"};
-  const auto covered = bytes.first(bytes.size() - kChecksumBytes);
-  ByteReader end(bytes.last(kChecksumBytes));
-  DELTAMESH_TRY(const auto stored, end.read<std::uint32_t>());
-  if (!checksum_holds(stored, body_checksum(place, base_hash, covered)))
-    return Error{.code = ErrorCode::kCorrupt,
-                 .message = "the checksum does not match: damaged, or a patch of something else",
-                 .rule = "MAP-17",
-                 .where_kind = WhereKind::kByte,
-                 .where = covered.size()};
+  const auto checksum = [&](std::span<const std::byte> covered) {
+    return body_checksum(place, base_hash, covered);
+  };
+  DELTAMESH_TRY(const auto covered,
+                check_whole(bytes, "the checksum does not match: damaged, or a patch of something else",
+                            "MAP-17", checksum));
   ByteReader in(covered);
   DELTAMESH_TRY(const auto size, in.read_varint());
   DELTAMESH_TRY(const auto plan, in.read_bytes(size));
