@@ -22,7 +22,7 @@ class Pose:
 
 def MAP_25_whole(fragments):
     """The message that fragments in any order make, each perhaps more than once; None: some octets have not come."""
-    octets = {}
+    octets, size = {}, 1
     for fragment in fragments:
         r = MAP_1_fields(fragment, 11)
         digest, size, offset, piece = r.number("Q"), r.varint(262144, "MAP-25"), r.varint(), r.rest()

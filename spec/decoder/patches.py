@@ -14,13 +14,19 @@ from vectors import square
 
 MOST_PATCHES, MOST_CANDIDATES = 16, 4
 
+def MAP_3_key(r):
+    """The key of a part."""
+    level = r.u8()
+    must(level <= 24, "MAP-3", f"level {level}")
+    return (level,) + tuple(unzigzag(r.varint(2**32 - 1, "CON-2")) for _ in range(3))
+
 def MAP_17_part(described, key, octets):
     """The mesh of the part `key`, whose octets are a base and a patch."""
     patches = []
     while octets[:1] == b"\4":
         must(len(patches) < MOST_PATCHES, "MAP-17", "more than 16 patches")
         r = Reader(octets[1:])
-        base_key = (r.u8(),) + tuple(unzigzag(r.varint()) for _ in range(3))
+        base_key = MAP_3_key(r)
         octets = r.bytes(r.varint())
         patches.append((key, octets, r.rest()))
         key = base_key

@@ -16,11 +16,12 @@ import tempfile
 import xxhash
 
 from reference_decoder_test import GOLDEN
-from container import Broken, DRAFT, Reader, VOXELS, unzigzag
+from container import Broken, DRAFT, Reader, VOXELS
 from messages import MAP_1_fields, MAP_25_whole, Pose
-from musts import place_of, places
+from musts import is_of_maps, place_of, places
 from other_decisions import ChanceCoder
 from parts import Map, PartHeader
+from patches import MAP_3_key
 from reference_examples_test import line
 from stream_changes import sealed, varint
 
@@ -40,8 +41,7 @@ def read(data):
         MAP_25_whole(blobs)
     else:
         whole, r = Map(blobs[0]), Reader(blobs[1] if len(blobs) > 1 else b"\0" * 4)
-        key = (r.u8(),) + tuple(unzigzag(r.varint()) for _ in range(3))
-        whole.MAP_7_part(key, r.rest())
+        whole.MAP_7_part(MAP_3_key(r), r.rest())
 
 
 def blobs(*parts):
@@ -127,6 +127,8 @@ def of_parts(square, strip, rng):
 
 def of_patches(square, rng):
     plan, octets = line("map.md", "plan", bytes), square.octets
+    yield square.file(b"\4\31\0\0\0")
+    yield square.file(b"\4\0" + varint(2**32) + b"\0\0")
     for _ in range(17):
         octets = b"\4" + square.key + varint(len(octets)) + octets
     yield square.file(octets)
@@ -174,7 +176,7 @@ def main():
         except Exception as error:  # pylint: disable=broad-except
             others[f"{type(error).__name__} {error}"[:60]] = data
             continue
-        if place[0].startswith("MAP-") and (place not in found or len(data) < len(found[place])):
+        if is_of_maps(place) and (place not in found or len(data) < len(found[place])):
             found[place] = data
     os.makedirs(FOLDER, exist_ok=True)
     for path in glob.glob(os.path.join(FOLDER, "*.map")):
@@ -184,7 +186,7 @@ def main():
         names[rule] = names.get(rule, 0) + 1
         with open(os.path.join(FOLDER, f"{rule}.{names[rule]}.map" if names[rule] > 1 else f"{rule}.map"), "wb") as file:
             file.write(data)
-    lacking = sorted(place for place in known.keys() - found.keys() if place[0].startswith("MAP-"))
+    lacking = sorted(place for place in known.keys() - found.keys() if is_of_maps(place))
     print(f"{len(found)} files for {len(names)} rules: {' '.join(names)}")
     print("\n".join([f"no file breaks {rule} at {file}:{at}" for rule, file, at in lacking] + [f"the decoder fails: {text}" for text in others]))
     return bool(lacking or others)

@@ -26,6 +26,11 @@ def places():
     return found
 
 
+def is_of_maps(place):
+    """Whether it rejects messages or parts of maps rather than streams."""
+    return place[0].startswith("MAP-") or place[1] == "patches.py"
+
+
 def joined():
     """Lines of `must` whose conditions are several, joined by `and`: each needs a line of its own."""
     for path in sorted(glob.glob(os.path.join(DECODER, "*.py"))):

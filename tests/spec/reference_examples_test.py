@@ -167,6 +167,7 @@ def examples():
     yield "map.md pose's numbers", (pose.map, pose.start, pose.number, pose.stamp), (whole.hash, 1, 5, 1500000000)
     yield "map.md fragments", list(MAP_25_whole(pieces[::-1])), list(message)
     yield "map.md fragments but one", [MAP_25_whole(pieces[1:])], [None]
+    yield "map.md no fragments", [MAP_25_whole([])], [None]
     yield from beside_a_base()
     mesh = stream()
     yield "format.md faces", mesh.faces, line("format.md", "faces")

@@ -11,8 +11,9 @@ import numpy as np
 
 from reference_decoder_streams import read_positions
 from parts import Map
+from patches import MAP_3_key
 from ply import usual_first
-from container import Reader, unzigzag
+from container import Reader
 
 MAPS = [("rooms", 4000, "--part-edge 2 --max-error 0.02"), ("rooms", 3000, "--part-edge 3 --geometry highpass"),
         ("rooms", 3000, "--part-edge 2 --geometry predictive --max-error 0.001 --part-triangles 400"),
@@ -52,14 +53,12 @@ def corners_of(positions, others, faces):
 
 def entries(r, attributes):
     """[MAP-13] Of every part of a manifest [MAP-10] its key and its LFE."""
-    def key():
-        return (r.u8(),) + tuple(unzigzag(r.varint()) for _ in range(3))
     while r.at < len(r.data):
-        part, _, _ = key(), r.varint(), r.varint()
+        part, _, _ = MAP_3_key(r), r.varint(), r.varint()
         for _ in range(r.varint()):  # links [MAP-12]
             kind = r.u8()
             if kind & 31 == 27:
-                key()
+                MAP_3_key(r)
             r.number("I")
             if kind & 64:
                 r.varint()
