@@ -7,11 +7,12 @@ import numpy as np
 import xxhash
 
 from attr import COLOUR, MEASURES, Attribute
+from attr_colors import ATTR_46_value
 from coder import BitModel, Coder, NumberModel, States
 from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, HIGHPASS, Header, Reader, VOXELS, must,
                        unzigzag)
 from graph import MAP_11_ends
-from known import Known
+from known import Known, MAP_30_level
 from mesh import decode_chunks
 from messages import MAP_1_fields
 from patches import MAP_17_part
@@ -129,7 +130,7 @@ def MAP_24_colours(mesh, border, coder, states):
         for v in border if s else []:
             w = None
             for c in range(a.k):
-                x = level_of(a.type, a.values[v, c])
+                x = MAP_30_level(a.values[v, c], a.type, 8)
                 e = (2 * x + s) // (2 * s)
                 r = 2 * (x - e * s)
                 d = -1 if r < 0 else 1
@@ -138,14 +139,7 @@ def MAP_24_colours(mesh, border, coder, states):
                 if learnt.moved[m].decode(coder):
                     w = -d if learnt.away[m].decode(coder) else d
                     w *= 1 + min(learnt.more.decode(coder), 255)
-                level = min(max((e + w) * s, 0), 255)
-                a.values[v, c] = {"u1": level, "u2": 257 * level, "f4": np.float32(level / 255)}[a.type]
-
-def level_of(kind, x):
-    """[MAP-24] The nearest level of 8 bits."""
-    if kind == "f4":
-        return math.floor(255 * float(x) + 0.5) if 0 <= x <= 1 else 0
-    return int(x) if kind == "u1" else (int(x) + 128) // 257
+                a.values[v, c] = ATTR_46_value(min(max((e + w) * s, 0), 255), a.type, 8)
 
 def MAP_20_move_along(mesh, border):
     """What is not on the border moves along, less with each edge; `border`: the ways of its vertices."""
