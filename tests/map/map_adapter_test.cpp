@@ -16,6 +16,7 @@
 #include "deltamesh/map/block_adapter.h"
 #include "deltamesh/map/sender.h"
 #include "map/map_meshes.h"
+#include "support/attribute_of.h"
 
 namespace deltamesh {
 namespace {
@@ -23,6 +24,7 @@ namespace {
 constexpr float kEdge = 0.05F;
 constexpr int kQuads = 20;
 using Floats = std::vector<float>;
+using test::attribute_of;
 
 /// Cells of one unit; colours and labels where asked for.
 MapDescription adapter_map(bool has_values = false) {
@@ -68,13 +70,6 @@ Mesh soup_of(const Mesh& mesh, double noise) {
       soup.positions.push_back(
           static_cast<float>(double{mesh.positions[3 * v + k]} + noise * noise_of(random)));
   return soup;
-}
-
-template <class T>
-Attribute values_of(AttributeKind kind, ComponentType type, std::uint8_t components, std::string name,
-                    const std::vector<T>& values) {
-  const auto bytes = std::as_bytes(std::span(values));
-  return {kind, type, components, false, std::move(name), {bytes.begin(), bytes.end()}};
 }
 
 Mesh one_triangle() {
@@ -229,11 +224,11 @@ TEST(MapAdapter, OrderOfBlocksIsNoMatter) {
 TEST(MapAdapter, ValuesBecomeTheMaps) {
   Mesh mesh = one_triangle();
   mesh.attributes = {
-      values_of(AttributeKind::kNormal, ComponentType::kF32, 3, "n", Floats{0, 0, 1, 0, 0, 1, 0, 0, 1}),
-      values_of(AttributeKind::kGeneric, ComponentType::kI32, 1, "label",
-                std::vector<std::int32_t>{7, 0, 255}),
-      values_of(AttributeKind::kColor, ComponentType::kF32, 4, "rgba",
-                Floats{0, 0.5F, 1, 1, 2, -1, 0.25F, 1, 1, 1, 1, 0})};
+      attribute_of(AttributeKind::kNormal, ComponentType::kF32, 3, "n", Floats{0, 0, 1, 0, 0, 1, 0, 0, 1}),
+      attribute_of(AttributeKind::kGeneric, ComponentType::kI32, 1, "label",
+                   std::vector<std::int32_t>{7, 0, 255}),
+      attribute_of(AttributeKind::kColor, ComponentType::kF32, 4, "rgba",
+                   Floats{0, 0.5F, 1, 1, 2, -1, 0.25F, 1, 1, 1, 1, 0})};
   const MapBlock blocks[] = {{{0, 0, 0}, mesh}};
   BlockAdapter adapter = made(adapter_map(true));
   const auto adapted = adapter.update(blocks);
@@ -252,8 +247,8 @@ TEST(MapAdapter, ValuesBecomeTheMaps) {
   // 8 bits without alpha to floats with.
   MapDescription wide = adapter_map();
   wide.attributes = {{AttributeKind::kColor, ComponentType::kF32, 4, false, "c"}};
-  mesh.attributes = {values_of(AttributeKind::kColor, ComponentType::kU8, 3, "",
-                               std::vector<std::uint8_t>{0, 51, 255, 0, 0, 0, 0, 0, 0})};
+  mesh.attributes = {attribute_of(AttributeKind::kColor, ComponentType::kU8, 3, "",
+                                  std::vector<std::uint8_t>{0, 51, 255, 0, 0, 0, 0, 0, 0})};
   const MapBlock bytes[] = {{{0, 0, 0}, mesh}};
   BlockAdapter widening = made(wide);
   const auto widened = widening.update(bytes);
@@ -299,14 +294,14 @@ TEST(MapAdapter, ErrorsNameTheBlockAndTheRule) {
   mesh = one_triangle();
   expect_refused(adapter_map(true), mesh, "the block lacks an attribute of the map");
   mesh.attributes = {
-      values_of(AttributeKind::kGeneric, ComponentType::kF32, 1, "intensity", Floats{0, 0, 0})};
+      attribute_of(AttributeKind::kGeneric, ComponentType::kF32, 1, "intensity", Floats{0, 0, 0})};
   expect_refused(adapter_map(), mesh, "the map has no such attribute");
-  mesh.attributes = {values_of(AttributeKind::kColor, ComponentType::kF32, 3, "", Floats(9, 0)),
-                     values_of(AttributeKind::kGeneric, ComponentType::kI32, 1, "label",
-                               std::vector<std::int32_t>{1, 256, 1})};
+  mesh.attributes = {attribute_of(AttributeKind::kColor, ComponentType::kF32, 3, "", Floats(9, 0)),
+                     attribute_of(AttributeKind::kGeneric, ComponentType::kI32, 1, "label",
+                                  std::vector<std::int32_t>{1, 256, 1})};
   expect_refused(adapter_map(true), mesh, "a value does not fit the type of the map's attribute");
-  mesh.attributes[0] = values_of(AttributeKind::kColor, ComponentType::kF32, 3, "",
-                                 Floats(9, std::numeric_limits<float>::quiet_NaN()));
+  mesh.attributes[0] = attribute_of(AttributeKind::kColor, ComponentType::kF32, 3, "",
+                                    Floats(9, std::numeric_limits<float>::quiet_NaN()));
   expect_refused(adapter_map(true), mesh, "a colour is NaN");
 }
 

@@ -26,10 +26,7 @@ class AttributeExamples : public ::testing::Test {
   template <class Number>
   static Attribute attribute(AttributeKind kind, ComponentType type, int components,
                              const std::vector<Number>& numbers) {
-    Attribute a{.kind = kind, .type = type, .components = static_cast<std::uint8_t>(components)};
-    const auto bytes = std::as_bytes(std::span(numbers));
-    a.values.assign(bytes.begin(), bytes.end());
-    return a;
+    return test::attribute_of(kind, type, components, "", numbers);
   }
 
   /// The payload of `file` gives `expected`; so does encoding `expected`'s numbers, or `source`'s.

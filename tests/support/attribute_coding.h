@@ -5,12 +5,12 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <span>
 #include <vector>
 
 #include "attributes/attribute.h"
+#include "support/attribute_of.h"
 
 namespace deltamesh::test {
 
@@ -26,13 +26,6 @@ inline std::vector<std::uint32_t> identity(std::uint32_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
   return order;
-}
-
-template <class T>
-std::vector<T> numbers(const Attribute& a) {
-  std::vector<T> result(a.values.size() / sizeof(T));
-  if (!result.empty()) std::memcpy(result.data(), a.values.data(), a.values.size());
-  return result;
 }
 
 /// The triangles of a grid of side x side vertices.

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+
+#include "support/attribute_of.h"
 
 namespace deltamesh::test {
 namespace {
@@ -14,15 +15,6 @@ Mesh mesh_of(std::vector<float> positions, std::vector<std::uint32_t> triangles)
   mesh.positions = std::move(positions);
   mesh.triangles = std::move(triangles);
   return mesh;
-}
-
-template <class T>
-Attribute attribute_of(AttributeKind kind, ComponentType type, std::uint8_t components, std::string name,
-                       const std::vector<T>& values) {
-  Attribute attribute{.kind = kind, .type = type, .components = components, .name = std::move(name)};
-  attribute.values.resize(values.size() * sizeof(T));
-  std::memcpy(attribute.values.data(), values.data(), attribute.values.size());
-  return attribute;
 }
 
 Mesh fragments(std::uint32_t count) {

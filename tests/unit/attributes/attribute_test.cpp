@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -22,6 +21,7 @@ namespace deltamesh {
 namespace {
 
 using test::identity;
+using test::numbers;
 using test::rows;
 
 class Random {
@@ -38,14 +38,7 @@ class Random {
 
 template <class T>
 Attribute make(AttributeKind kind, ComponentType type, int components, const std::vector<T>& numbers) {
-  Attribute attribute;
-  attribute.kind = kind;
-  attribute.type = type;
-  attribute.components = static_cast<std::uint8_t>(components);
-  attribute.name = "thing";
-  const auto bytes = std::as_bytes(std::span(numbers));
-  attribute.values.assign(bytes.begin(), bytes.end());
-  return attribute;
+  return test::attribute_of(kind, type, components, "thing", numbers);
 }
 
 CodedAttribute coded(const Attribute& a, const AttributeQuality& quality = {}) {
@@ -62,13 +55,6 @@ Attribute decoded(const Attribute& a, const AttributeQuality& quality = {}) {
   if (!back) return {};
   EXPECT_EQ(back->values, written.decoded.values);
   return *back;
-}
-
-template <class T>
-std::vector<T> numbers(const Attribute& a) {
-  std::vector<T> result(a.values.size() / sizeof(T));
-  if (!result.empty()) std::memcpy(result.data(), a.values.data(), a.values.size());
-  return result;
 }
 
 void expect_exact(const Attribute& a) {

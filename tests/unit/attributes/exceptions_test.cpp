@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "attributes/attribute.h"
-#include "attributes/payload.h"
 #include "base/numbers/short_float.h"
 #include "deltamesh/encode.h"
+#include "round_trip.h"
 #include "support/attribute_coding.h"
 #include "support/random.h"
 
@@ -23,7 +23,6 @@ namespace {
 using test::grid_of;
 using test::identity;
 using test::numbers;
-using test::rows;
 
 constexpr std::uint32_t kSide = 30;
 constexpr std::uint32_t kVertices = kSide * kSide;
@@ -82,26 +81,15 @@ AttributeQuality bounds() {
 }
 
 Attribute make(const Case& c) {
-  Attribute a{.kind = c.kind, .type = ComponentType::kF32, .components = c.components, .name = "a"};
-  const auto bytes = std::as_bytes(std::span(c.values));
-  a.values.assign(bytes.begin(), bytes.end());
-  return a;
+  return test::attribute_of(c.kind, ComponentType::kF32, c.components, "a", c.values);
 }
 
-/// Writes and reads back; a reader gets what the writer said.
 CodedAttribute code(const Attribute& a, const AttributeQuality& quality,
                     std::span<const Attribute> others = {}) {
   const Sheet sheet;
-  const AttributeSurface surface = sheet.surface();
-  auto coded = write_attribute(test::view(a), identity(rows(a)), {.quality = quality}, surface, others);
-  EXPECT_TRUE(coded && coded->is_compact);
-  const auto back =
-      read_attribute(Payload::compact(coded->payload), coded->descriptor, surface, others, 1 << 24);
-  EXPECT_TRUE(back) << (back ? "" : describe(back.error()));
-  if (back) {
-    EXPECT_EQ(back->values, coded->decoded.values);
-  }
-  return *std::move(coded);
+  auto coded = test::code(a, quality, sheet.surface(), others);
+  EXPECT_TRUE(coded.is_compact);
+  return coded;
 }
 
 int coding_byte(const CodedAttribute& coded) { return std::to_integer<int>(coded.payload.at(0)); }
@@ -257,12 +245,7 @@ const char* broken_rule(std::uint32_t count, Write write) {
   out.write(static_cast<std::uint8_t>(static_cast<int>(AttributeCoding::kLattice) | kExceptionsFlag));
   write(out);
   for (const int byte : {0, 5}) out.write(static_cast<std::uint8_t>(byte));
-  const AttributeDescriptor descriptor{
-      .kind = AttributeKind::kGeneric, .type = ComponentType::kU8, .components = 1};
-  const auto bytes = out.take();
-  const auto read =
-      read_attribute(Payload::compact(bytes), descriptor, AttributeSurface({}, count), {}, 1 << 20);
-  return read ? "none" : read.error().rule;
+  return test::broken_rule(out.take(), {.type = ComponentType::kU8, .components = 1}, count);
 }
 
 TEST(Exceptions, ATTR12BrokenRunsAreRefused) {

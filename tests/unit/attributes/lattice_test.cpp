@@ -19,7 +19,9 @@
 #include "entropy/coder/reader.h"
 #include "entropy/coder/writer.h"
 #include "positions/lattice/coder.h"
+#include "round_trip.h"
 #include "support/attribute_coding.h"
+#include "support/guarded.h"
 #include "support/random.h"
 
 namespace deltamesh::lattice_test {
@@ -47,28 +49,11 @@ struct CopiedGrid {
 
 template <class T>
 Attribute make(ComponentType type, int components, const std::vector<T>& numbers) {
-  Attribute a;
-  a.type = type;
-  a.components = static_cast<std::uint8_t>(components);
-  a.name = "thing";
-  const auto bytes = std::as_bytes(std::span(numbers));
-  a.values.assign(bytes.begin(), bytes.end());
-  return a;
+  return test::attribute_of(AttributeKind::kGeneric, type, components, "thing", numbers);
 }
 
-/// Writes and reads back; a reader gets what the writer said.
 CodedAttribute code(const Attribute& a, double bound, const AttributeSurface& surface) {
-  AttributeQuality quality;
-  quality.named.push_back({a.name, bound});
-  auto coded = write_attribute(test::view(a), identity(rows(a)), {.quality = quality}, surface, {});
-  EXPECT_TRUE(coded);
-  const Payload payload = coded->is_compact ? Payload::compact(coded->payload) : Payload(coded->payload);
-  const auto back = read_attribute(payload, coded->descriptor, surface, {}, 1 << 24);
-  EXPECT_TRUE(back) << (back ? "" : describe(back.error()));
-  if (back) {
-    EXPECT_EQ(back->values, coded->decoded.values);
-  }
-  return *std::move(coded);
+  return test::code(a, {.named = {{a.name, bound}}}, surface);
 }
 
 CodedAttribute code(const Attribute& a, double bound = 0) {
@@ -429,9 +414,7 @@ std::vector<std::byte> by_hand(int kind, float times, float over, std::uint64_t 
 }
 
 const char* broken_rule(const std::vector<std::byte>& bytes, ComponentType type = ComponentType::kF64) {
-  const AttributeDescriptor descriptor{.type = type, .components = 1};
-  const auto read = read_attribute(Payload::compact(bytes), descriptor, AttributeSurface({}, 2), {}, 1 << 20);
-  return read ? "none" : read.error().rule;
+  return test::broken_rule(bytes, {.type = type, .components = 1}, 2);
 }
 
 TEST(Lattice, ATTR55EachBrokenFieldIsNamed) {
@@ -495,21 +478,13 @@ TEST(Lattice, CON3PrefixesAndExtraBytesAreRefusedAndFlippedOnesEnd) {
   source.resize(2 * kVertices);
   const Attribute a = make(ComponentType::kF32, 1, source);
   const auto coded = code(a, 0.01, copied.surface());
-  const auto read = [&](const std::vector<std::byte>& bytes) {
-    return read_attribute(Payload::compact(bytes), coded.descriptor, copied.surface(), {}, 1 << 20);
-  };
-  for (std::size_t size = 0; size < coded.payload.size(); ++size)
-    EXPECT_FALSE(read({coded.payload.begin(), coded.payload.begin() + static_cast<std::ptrdiff_t>(size)}));
-  auto longer = coded.payload;
-  longer.push_back(std::byte{0});
-  EXPECT_FALSE(read(longer));
-  test::RandomBits random(3);
-  for (std::size_t i = 0; i < coded.payload.size(); ++i) {
-    auto bad = coded.payload;
-    bad[i] ^= static_cast<std::byte>(1 + random() % 255);
-    const auto back = read(bad);
+  const auto read = [&](const test::Bytes& bytes) {
+    const auto back =
+        read_attribute(Payload::compact(bytes), coded.descriptor, copied.surface(), {}, 1 << 20);
     EXPECT_TRUE(!back || rows(*back) == rows(a));
-  }
+    return back.has_value();
+  };
+  test::expect_guarded(coded.payload, read, a.name);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <cstring>
 #include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "attributes/attribute.h"
@@ -19,14 +18,15 @@
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "entropy/coder/writer.h"
+#include "round_trip.h"
 #include "support/attribute_coding.h"
+#include "support/guarded.h"
 #include "support/random.h"
 
 namespace deltamesh::skin_test {
 namespace {
 
 using test::grid_of;
-using test::identity;
 using test::numbers;
 using test::rows;
 
@@ -36,10 +36,7 @@ constexpr std::uint32_t kVertices = kSide * kSide;
 template <class T>
 Attribute make(AttributeKind kind, ComponentType type, const std::string& name,
                const std::vector<T>& numbers) {
-  Attribute a{.kind = kind, .type = type, .components = 4, .name = name};
-  const auto bytes = std::as_bytes(std::span(numbers));
-  a.values.assign(bytes.begin(), bytes.end());
-  return a;
+  return test::attribute_of(kind, type, 4, name, numbers);
 }
 
 struct Influence {
@@ -76,20 +73,11 @@ Attribute joints_attribute() {
   return make(AttributeKind::kJoints, ComponentType::kU16, "JOINTS_0", bent_joints());
 }
 
-/// Writes and reads back; a reader gets what the writer said.
 CodedAttribute code(const Attribute& a, double bound, const AttributeSurface& surface,
                     std::span<const Attribute> others = {}) {
-  AttributeQuality quality;
-  quality.weight_error = bound;
-  auto coded = write_attribute(test::view(a), identity(rows(a)), {.quality = quality}, surface, others);
-  EXPECT_TRUE(coded);
-  const auto back =
-      read_attribute(Payload::compact(coded->payload), coded->descriptor, surface, others, 1 << 24);
-  EXPECT_TRUE(back) << (back ? "" : describe(back.error()));
-  if (back) {
-    EXPECT_EQ(back->values, coded->decoded.values);
-  }
-  return *std::move(coded);
+  auto coded = test::code(a, {.weight_error = bound}, surface, others);
+  EXPECT_TRUE(coded.is_compact);
+  return coded;
 }
 
 CodedAttribute code(const Attribute& a, double bound = 0, std::span<const Attribute> others = {}) {
@@ -272,9 +260,7 @@ TEST(Skin, ATTR11WeightsMayBeListedBeforeTheirJoints) {
 }
 
 const char* broken_rule(AttributeKind kind, ComponentType type, const std::vector<std::byte>& bytes) {
-  const AttributeDescriptor descriptor{.kind = kind, .type = type, .components = 4};
-  const auto read = read_attribute(Payload::compact(bytes), descriptor, AttributeSurface({}, 1), {}, 1 << 20);
-  return read ? "none" : read.error().rule;
+  return test::broken_rule(bytes, {.kind = kind, .type = type, .components = 4}, 1);
 }
 
 /// The coding's byte, `sum` where it is not 0, and what `code` writes.
@@ -321,24 +307,15 @@ TEST(Skin, CON3PrefixesAndExtraBytesAreRefusedAndFlippedOnesEnd) {
   const auto triangles = grid_of(kSide);
   const AttributeSurface surface(triangles, kVertices);
   const std::vector<Attribute> others{joints_attribute()};
-  test::RandomBits random(3);
   for (const Attribute& a :
        {joints_attribute(), make(AttributeKind::kWeights, ComponentType::kF32, "W", bent_weights())}) {
     const auto coded = code(a, 1e-3, surface, others);
-    const auto read = [&](const std::vector<std::byte>& bytes) {
-      return read_attribute(Payload::compact(bytes), coded.descriptor, surface, others, 1 << 20);
-    };
-    for (std::size_t size = 0; size < coded.payload.size(); ++size)
-      EXPECT_FALSE(read({coded.payload.begin(), coded.payload.begin() + static_cast<std::ptrdiff_t>(size)}));
-    auto longer = coded.payload;
-    longer.push_back(std::byte{0});
-    EXPECT_FALSE(read(longer));
-    for (std::size_t i = 0; i < coded.payload.size(); ++i) {
-      auto bad = coded.payload;
-      bad[i] ^= static_cast<std::byte>(1 + random() % 255);
-      const auto back = read(bad);
+    const auto read = [&](const test::Bytes& bytes) {
+      const auto back = read_attribute(Payload::compact(bytes), coded.descriptor, surface, others, 1 << 20);
       EXPECT_TRUE(!back || rows(*back) == rows(a));
-    }
+      return back.has_value();
+    };
+    test::expect_guarded(coded.payload, read, a.name);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "attributes/tangents/rule.h"
 #include "attributes/tangents/tangents.h"
 #include "base/numbers/portable_math.h"
+#include "support/attribute_of.h"
 #include "support/soups.h"
 
 namespace deltamesh::surface_tangents_test {
@@ -95,11 +96,8 @@ TEST(SurfaceTangents, ATTR38StepOutOfRangeIsRefused) {
 
 TEST(SurfaceTangents, ATTR39BasisIsTheFirstOfItsShape) {
   const auto attribute = [](AttributeKind kind, std::uint8_t components, float value) {
-    Attribute a{.kind = kind, .type = ComponentType::kF32, .components = components};
     const std::vector<float> values(std::size_t{2} * components, value);
-    const auto bytes = std::as_bytes(std::span(values));
-    a.values.assign(bytes.begin(), bytes.end());
-    return a;
+    return test::attribute_of(kind, ComponentType::kF32, components, "", values);
   };
   const std::vector<Attribute> decoded = {
       attribute(AttributeKind::kUv, 3, 1), attribute(AttributeKind::kUv, 2, 2),

@@ -12,6 +12,7 @@
 #include "attributes/prediction/linear_fit.h"
 #include "attributes/surface_order.h"
 #include "attributes/uvs/uvs.h"
+#include "support/guarded.h"
 #include "support/soups.h"
 
 namespace deltamesh::surface_uvs_test {
@@ -289,13 +290,11 @@ TEST(SurfaceUvs, WhatDoesNotSuitIsLeftToOtherCodings) {
 
 TEST(SurfaceUvs, PrefixesAndMoreBytesAreRefused) {
   const Textured mesh = patch(8, 0.2, turned_texture);
-  auto bytes = write_surface_uvs(mesh.uvs, 1e-4, mesh.surface())->bytes;
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    const std::vector<std::byte> prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_FALSE(read_surface_uvs(prefix, mesh.surface())) << size;
-  }
-  bytes.push_back(std::byte{0});
-  EXPECT_FALSE(read_surface_uvs(bytes, mesh.surface()));
+  const auto bytes = write_surface_uvs(mesh.uvs, 1e-4, mesh.surface())->bytes;
+  const auto read = [&](const test::Bytes& some) {
+    return read_surface_uvs(some, mesh.surface()).has_value();
+  };
+  test::expect_guarded(bytes, read, "uvs");
 }
 
 }  // namespace

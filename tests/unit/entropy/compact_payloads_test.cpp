@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <string>
 
 #include "attributes/attribute.h"
@@ -21,6 +20,7 @@
 #include "highpass/anchor_list.h"
 #include "highpass/delta_symbols.h"
 #include "support/attribute_coding.h"
+#include "support/attribute_of.h"
 #include "support/graph_mesh.h"
 #include "support/guarded.h"
 #include "support/random.h"
@@ -227,10 +227,7 @@ TEST(CompactAttributes, ATTR10HighpassAttributesKnowNoPositions) {
     for (int i = 0; i < 400; ++i) all.insert(all.end(), {0.6F, 0, i % 2 == 0 ? 0.8F : -0.8F});
     return all;
   }();
-  Attribute attribute{.kind = AttributeKind::kNormal, .components = 3};
-  const auto bytes = std::as_bytes(std::span(normals));
-  attribute.values.assign(bytes.begin(), bytes.end());
-  mesh.attributes.push_back(attribute);
+  mesh.attributes = {test::attribute_of(AttributeKind::kNormal, ComponentType::kF32, 3, "", normals)};
   const auto attribute_chunk = [&](int bits) {
     const auto encoded = encode(mesh, {.bits = bits});
     const auto& chunk = encoded->report.stream.chunks.back();

@@ -20,7 +20,7 @@ namespace {
 using test::attribute;
 using test::find;
 using test::left_out;
-using test::values_of;
+using test::numbers;
 
 constexpr auto kColor = AttributeKind::kColor;
 
@@ -66,7 +66,7 @@ TEST(Colors, All256ValuesSurvivePlyStreamGlbStreamPly) {
     for (const FileFormat text : {FileFormat::kPly, FileFormat::kOff}) {
       const Mesh back = passed_on(light, text, &report);
       EXPECT_FALSE(color_of(back).linear);
-      EXPECT_EQ(values_of<std::uint8_t>(color_of(back)), values_of<std::uint8_t>(source.attributes[0]));
+      EXPECT_EQ(numbers<std::uint8_t>(color_of(back)), numbers<std::uint8_t>(source.attributes[0]));
     }
     EXPECT_TRUE(report.left_out.empty());
   }
@@ -74,7 +74,7 @@ TEST(Colors, All256ValuesSurvivePlyStreamGlbStreamPly) {
 
 TEST(Colors, GltfHoldsLinearLight) {
   Mesh mesh = all_bytes();
-  auto light = values_of<std::uint16_t>(color_of(passed_on(mesh, FileFormat::kGlb)));
+  auto light = numbers<std::uint16_t>(color_of(passed_on(mesh, FileFormat::kGlb)));
   EXPECT_NEAR(light[4 * 188] / 65535.0, 0.5029, 1e-4);
   EXPECT_EQ(light[4 * 255], 65535);
   EXPECT_EQ(light[4 * 188 + 3], 188 * 257);  // alpha is no light
@@ -88,13 +88,13 @@ TEST(Colors, FloatsAnd16BitsComeBack) {
   const Mesh light = passed_on(mesh, FileFormat::kGlb);
   const Mesh back = passed_on(light, FileFormat::kPly);
   for (std::size_t i = 0; i < 12; ++i)
-    EXPECT_NEAR(values_of<float>(color_of(back))[i], values_of<float>(mesh.attributes[0])[i], 1e-6);
+    EXPECT_NEAR(numbers<float>(color_of(back))[i], numbers<float>(mesh.attributes[0])[i], 1e-6);
   mesh.attributes = {
       attribute<std::uint16_t>(kColor, ComponentType::kU16, 3, "red",
                                {0, 1, 2, 3, 1000, 65535, 65534, 30000, 40000, 50000, 60000, 257})};
   const Mesh wide = passed_on(passed_on(mesh, FileFormat::kGlb), FileFormat::kPly);
   for (std::size_t i = 0; i < 12; ++i)
-    EXPECT_NEAR(values_of<float>(color_of(wide))[i] * 65535, values_of<std::uint16_t>(mesh.attributes[0])[i],
+    EXPECT_NEAR(numbers<float>(color_of(wide))[i] * 65535, numbers<std::uint16_t>(mesh.attributes[0])[i],
                 0.02);
 }
 
@@ -105,7 +105,7 @@ TEST(Colors, WhatRoundsOnAScreenIsTold) {
   mesh.attributes[0].linear = true;
   WriteReport report;
   const Mesh shown = passed_on(mesh, FileFormat::kPly, &report);
-  EXPECT_EQ(values_of<std::uint8_t>(color_of(shown))[9], 188);
+  EXPECT_EQ(numbers<std::uint8_t>(color_of(shown))[9], 188);
   EXPECT_EQ(left_out(report, LeftOutKind::kPrecision, "COLOR_0"),
             2U);  // 252 to 254 become two values, as do 128 to 130
 }
@@ -122,17 +122,17 @@ TEST(Colors, FloatsUpTo255AreBytesOrPartsOf255) {
   for (const char* type : {"float", "double"}) {
     const auto whole = test::read_text(ply(type, "255 0 188", "1 2 3"), FileFormat::kPly);
     ASSERT_TRUE(whole);
-    EXPECT_EQ(values_of<std::uint8_t>(color_of(whole->mesh)),
+    EXPECT_EQ(numbers<std::uint8_t>(color_of(whole->mesh)),
               (std::vector<std::uint8_t>{255, 0, 188, 1, 2, 3, 255, 0, 188}));
     EXPECT_EQ(left_out(whole->report, LeftOutKind::kGuesses), 3U);
     const auto parts = test::read_text(ply(type, "255 0 187.5", "1 2 3"), FileFormat::kPly);
     ASSERT_TRUE(parts);
-    EXPECT_NEAR(values_of<float>(color_of(parts->mesh))[2], 187.5 / 255, 1e-6);
-    for (const float c : values_of<float>(color_of(passed_on(parts->mesh, FileFormat::kGlb))))
+    EXPECT_NEAR(numbers<float>(color_of(parts->mesh))[2], 187.5 / 255, 1e-6);
+    for (const float c : numbers<float>(color_of(passed_on(parts->mesh, FileFormat::kGlb))))
       EXPECT_TRUE(c >= 0 && c <= 1);
     const auto bright = test::read_text(ply(type, "1 0 1.25", "1 1 1"), FileFormat::kPly);
     ASSERT_TRUE(bright);
-    EXPECT_EQ(values_of<float>(color_of(bright->mesh))[2], 1.25F);
+    EXPECT_EQ(numbers<float>(color_of(bright->mesh))[2], 1.25F);
   }
   const auto obj =
       test::read_text("v 0 0 0 255 128 0\nv 1 0 0 0 0 7\nv 0 1 0 0 0 0\nf 1 2 3\n", FileFormat::kObj);
@@ -142,7 +142,7 @@ TEST(Colors, FloatsUpTo255AreBytesOrPartsOf255) {
       "COFF\n3 1 0\n0 0 0 255.0 128.0 0.0 1.0\n1 0 0 0.0 0.0 7.0 1.0\n0 1 0 0.0 0.0 0.0 1.0\n3 0 1 2\n",
       FileFormat::kOff);
   ASSERT_TRUE(off);
-  EXPECT_EQ(values_of<std::uint8_t>(color_of(off->mesh))[3], 255);  // an alpha of 1 is opaque
+  EXPECT_EQ(numbers<std::uint8_t>(color_of(off->mesh))[3], 255);  // an alpha of 1 is opaque
 }
 
 TEST(Colors, StreamsSayWhichAndComparisonsConvert) {

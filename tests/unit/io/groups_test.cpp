@@ -16,7 +16,7 @@ namespace {
 
 using test::attribute;
 using test::left_out;
-using test::values_of;
+using test::numbers;
 
 const std::string kNamed =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 2 0 0\no table\nusemtl oak\nf 1 2 3\ng leg\nf 2 4 3\no "
@@ -143,10 +143,10 @@ TEST(Groups, GlbTakesIntegersAndDoublesAsCustomAttributes) {
   const Mesh back = through_file(mesh, FileFormat::kGlb, &report);
   ASSERT_EQ(back.attributes.size(), 4U);  // by name
   EXPECT_EQ(back.attributes[0].name, "_id");
-  EXPECT_EQ(values_of<std::uint8_t>(back.attributes[0]), (std::vector<std::uint8_t>{0, 9, 255, 1}));
-  EXPECT_EQ(values_of<std::int16_t>(back.attributes[1]), (std::vector<std::int16_t>{0, -7, 300, 5}));
-  EXPECT_EQ(values_of<float>(back.attributes[2])[1], 1048576);
-  EXPECT_EQ(values_of<float>(back.attributes[3])[2], 1e9F);
+  EXPECT_EQ(numbers<std::uint8_t>(back.attributes[0]), (std::vector<std::uint8_t>{0, 9, 255, 1}));
+  EXPECT_EQ(numbers<std::int16_t>(back.attributes[1]), (std::vector<std::int16_t>{0, -7, 300, 5}));
+  EXPECT_EQ(numbers<float>(back.attributes[2])[1], 1048576);
+  EXPECT_EQ(numbers<float>(back.attributes[3])[2], 1e9F);
   EXPECT_EQ(left_out(report, LeftOutKind::kPrecision, "large"), 1U);
   EXPECT_EQ(left_out(report, LeftOutKind::kPrecision, "time"), 1U);
   EXPECT_EQ(report.left_out.size(), 2U);

@@ -22,9 +22,9 @@ using test::expect_robust;
 using test::expect_valid;
 using test::find;
 using test::left_out;
+using test::numbers;
 using test::read_exact;
 using test::read_text;
-using test::values_of;
 
 constexpr FileFormat kGltf = FileFormat::kGltf;
 
@@ -72,7 +72,7 @@ TEST(GltfReader, MeshesWithoutNodes) {
   ASSERT_EQ(mesh.attributes.size(), 1U);
   EXPECT_EQ(mesh.attributes[0].name, "COLOR_0");
   EXPECT_EQ(mesh.attributes[0].kind, AttributeKind::kColor);
-  EXPECT_EQ(values_of<std::uint8_t>(mesh.attributes[0])[15], 240);
+  EXPECT_EQ(numbers<std::uint8_t>(mesh.attributes[0])[15], 240);
   expect_robust(test::bytes_of(asset(kMesh)), kGltf);
 }
 
@@ -145,7 +145,7 @@ TEST(GltfReader, PrimitivesOfOneMeshShareTheirVertices) {
   EXPECT_EQ(mesh.vertex_count(), 8U);
   EXPECT_EQ(mesh.triangle_count(), 6U);
   // The primitive without colours is white.
-  const auto colors = values_of<std::uint8_t>(*find(mesh, AttributeKind::kColor));
+  const auto colors = numbers<std::uint8_t>(*find(mesh, AttributeKind::kColor));
   EXPECT_EQ(colors[0], 255);
   EXPECT_EQ(colors[16], 0);
   EXPECT_EQ(colors[31], 240);
@@ -165,7 +165,7 @@ TEST(GltfReader, AttributesThatNotAllHaveAreDropped) {
   EXPECT_EQ(mesh.attributes[0].name, "NORMAL");
   EXPECT_EQ(mesh.attributes[1].name, "TEXCOORD_0");
   EXPECT_EQ(mesh.attributes[1].type, ComponentType::kF32);
-  const auto uv = values_of<float>(mesh.attributes[1]);
+  const auto uv = numbers<float>(mesh.attributes[1]);
   EXPECT_FLOAT_EQ(uv[0], 0x1000 / 65535.0F);
   EXPECT_EQ(uv[8], 0);
   EXPECT_EQ(mesh.attributes[2].name, "_A");
@@ -178,7 +178,7 @@ TEST(GltfReader, MissingNormalsComeFromTheFaces) {
     {"attributes":{"POSITION":0,"NORMAL":0},"indices":1},{"attributes":{"POSITION":0},"indices":1}]}])"));
   ASSERT_EQ(mesh.attributes.size(), 1U);
   EXPECT_EQ(mesh.attributes[0].kind, AttributeKind::kNormal);
-  const auto normals = values_of<float>(mesh.attributes[0]);
+  const auto normals = numbers<float>(mesh.attributes[0]);
   ASSERT_EQ(normals.size(), 24U);
   for (std::size_t v = 4; v < 8; ++v) {
     EXPECT_EQ(normals[3 * v], 0);
@@ -243,7 +243,7 @@ TEST(GltfReader, NormalsTurnByTheInverseTranspose) {
                            gltf::data_uri_of(out.bytes()) + "\"}]}";
   const Mesh mesh = read(text);
   EXPECT_EQ(mesh.triangles, (std::vector<std::uint32_t>{0, 2, 1}));
-  const auto normals = values_of<float>(*find(mesh, AttributeKind::kNormal));
+  const auto normals = numbers<float>(*find(mesh, AttributeKind::kNormal));
   const float length = std::sqrt(0.09F + 0.64F);
   EXPECT_NEAR(normals[0], -0.3F / length, 1e-6F);
   EXPECT_NEAR(normals[1], 0.8F / length, 1e-6F);

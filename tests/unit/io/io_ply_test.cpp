@@ -16,8 +16,8 @@ using test::expect_error;
 using test::expect_robust;
 using test::find;
 using test::left_out;
+using test::numbers;
 using test::read_text;
-using test::values_of;
 
 constexpr FileFormat kPly = FileFormat::kPly;
 
@@ -83,7 +83,7 @@ TEST(PlyReader, KnowsTheNamesOfColorsAndTextureCoordinates) {
     const Attribute* const color = find(imported->mesh, AttributeKind::kColor);
     ASSERT_NE(color, nullptr);
     EXPECT_TRUE(color->normalized);
-    EXPECT_EQ(values_of<std::uint16_t>(*color), (std::vector<std::uint16_t>{1, 2, 3, 4, 5, 6, 65535, 0, 0}));
+    EXPECT_EQ(numbers<std::uint16_t>(*color), (std::vector<std::uint16_t>{1, 2, 3, 4, 5, 6, 65535, 0, 0}));
   }
   for (const std::string name : {"s t", "u v", "texture_u texture_v", "texture_s texture_t"}) {
     const std::size_t blank = name.find(' ');
@@ -94,7 +94,7 @@ TEST(PlyReader, KnowsTheNamesOfColorsAndTextureCoordinates) {
     ASSERT_TRUE(imported) << describe(imported.error());
     const Attribute* const uv = find(imported->mesh, AttributeKind::kUv);
     ASSERT_NE(uv, nullptr);
-    EXPECT_EQ(values_of<float>(*uv), (std::vector<float>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(numbers<float>(*uv), (std::vector<float>{1, 2, 3, 4, 5, 6}));
   }
 }
 
@@ -117,7 +117,7 @@ TEST(PlyReader, RepeatedPropertiesCountOnce) {
   ASSERT_TRUE(imported) << describe(imported.error());
   EXPECT_EQ(imported->mesh.positions[3], 1.0F);
   ASSERT_EQ(imported->mesh.attributes.size(), 1U);
-  EXPECT_EQ(values_of<std::uint8_t>(imported->mesh.attributes[0]), (std::vector<std::uint8_t>{1, 3, 5}));
+  EXPECT_EQ(numbers<std::uint8_t>(imported->mesh.attributes[0]), (std::vector<std::uint8_t>{1, 3, 5}));
 }
 
 TEST(PlyReader, LineEndsOfAllKinds) {

@@ -20,8 +20,8 @@ using test::dressed_mesh;
 using test::expect_robust;
 using test::expect_valid;
 using test::find;
+using test::numbers;
 using test::small_mesh;
-using test::values_of;
 
 constexpr FileFormat kFormats[] = {FileFormat::kPly, FileFormat::kObj,  FileFormat::kStl,
                                    FileFormat::kOff, FileFormat::kGltf, FileFormat::kGlb};
@@ -149,13 +149,13 @@ TEST_P(EveryFormat, AttributesSurviveWhereTheFormatHasThem) {
   const Mesh back = round_trip(mesh, GetParam());
   for (const AttributeKind kind : {AttributeKind::kNormal, AttributeKind::kUv}) {
     ASSERT_NE(find(back, kind), nullptr);
-    EXPECT_EQ(values_of<float>(*find(back, kind)), values_of<float>(*find(mesh, kind)));
+    EXPECT_EQ(numbers<float>(*find(back, kind)), numbers<float>(*find(mesh, kind)));
   }
   const Attribute* const color = find(back, AttributeKind::kColor);
   ASSERT_NE(color, nullptr);
   if (GetParam() == FileFormat::kObj) {
     EXPECT_EQ(color->components, 3);
-    EXPECT_EQ(values_of<float>(*color)[4], static_cast<float>(128 / 255.0));
+    EXPECT_EQ(numbers<float>(*color)[4], static_cast<float>(128 / 255.0));
   } else {
     EXPECT_EQ(color->type, ComponentType::kU8);
     EXPECT_TRUE(color->normalized);

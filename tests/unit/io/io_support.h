@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "deltamesh/io.h"
+#include "support/attribute_of.h"
 
 namespace deltamesh::test {
 
@@ -29,19 +29,8 @@ inline std::string text_of(std::span<const std::byte> bytes) {
 template <class T>
 Attribute attribute(AttributeKind kind, ComponentType type, std::uint8_t components, std::string name,
                     const std::vector<T>& values) {
-  Attribute result{
-      .kind = kind, .type = type, .components = components, .name = std::move(name), .values = {}};
-  result.normalized = kind == AttributeKind::kColor && type != ComponentType::kF32;
-  const auto bytes = std::as_bytes(std::span(values));
-  result.values.assign(bytes.begin(), bytes.end());
-  return result;
-}
-
-template <class T>
-std::vector<T> values_of(const Attribute& attribute) {
-  std::vector<T> values(attribute.values.size() / sizeof(T));
-  if (!values.empty()) std::memcpy(values.data(), attribute.values.data(), attribute.values.size());
-  return values;
+  const bool normalized = kind == AttributeKind::kColor && type != ComponentType::kF32;
+  return attribute_of(kind, type, components, std::move(name), values, normalized);
 }
 
 /// All that a report lists of a kind; of one name where one is given.

@@ -17,9 +17,9 @@ using test::expect_error;
 using test::expect_robust;
 using test::find;
 using test::left_out;
+using test::numbers;
 using test::read_exact;
 using test::read_text;
-using test::values_of;
 
 TEST(ObjReader, SplitsVerticesAtSeamsAndKeepsTheirOrder) {
   const auto imported = read_text(
@@ -34,9 +34,9 @@ TEST(ObjReader, SplitsVerticesAtSeamsAndKeepsTheirOrder) {
   EXPECT_EQ(mesh.triangles, (std::vector<std::uint32_t>{0, 1, 3, 5, 3, 4}));
   EXPECT_EQ(mesh.positions[6], 9.0F);
   EXPECT_EQ(mesh.positions[15], 0.0F);
-  const auto uv = values_of<float>(*find(mesh, AttributeKind::kUv));
+  const auto uv = numbers<float>(*find(mesh, AttributeKind::kUv));
   EXPECT_EQ(uv[10], 0.5F);
-  const auto normals = values_of<float>(*find(mesh, AttributeKind::kNormal));
+  const auto normals = numbers<float>(*find(mesh, AttributeKind::kNormal));
   EXPECT_EQ(normals[14], -1.0F);
 }
 
@@ -74,14 +74,14 @@ TEST(ObjReader, ColorsOnlyWhereEveryVertexHasThem) {
   const auto all = read_text("v 0 0 0 1 0 0.5\nv 1 0 0 0 0 0\nv 0 1 0 0 0 1 1\n" + face, FileFormat::kObj);
   ASSERT_TRUE(all) << describe(all.error());
   ASSERT_NE(find(all->mesh, AttributeKind::kColor), nullptr);
-  EXPECT_EQ(values_of<float>(*find(all->mesh, AttributeKind::kColor))[2], 0.5F);
+  EXPECT_EQ(numbers<float>(*find(all->mesh, AttributeKind::kColor))[2], 0.5F);
   const auto some = read_text("v 0 0 0 1 0 0.5\nv 1 0 0\nv 0 1 0 0 0 1\n" + face, FileFormat::kObj);
   ASSERT_TRUE(some);
   EXPECT_TRUE(some->mesh.attributes.empty());
   const auto bytes = read_text("v 0 0 0 255 0 9\nv 1 0 0 1 2 3\nv 0 1 0 0 0 1\n" + face, FileFormat::kObj);
   ASSERT_TRUE(bytes);
   ASSERT_NE(find(bytes->mesh, AttributeKind::kColor), nullptr);
-  EXPECT_EQ(values_of<std::uint8_t>(*find(bytes->mesh, AttributeKind::kColor))[2], 9);
+  EXPECT_EQ(numbers<std::uint8_t>(*find(bytes->mesh, AttributeKind::kColor))[2], 9);
   EXPECT_EQ(left_out(bytes->report, LeftOutKind::kGuesses), 3U);
 }
 
@@ -185,14 +185,14 @@ TEST(OffReader, PrefixesPromiseAttributes) {
       FileFormat::kOff);
   ASSERT_TRUE(imported) << describe(imported.error());
   const Mesh& mesh = imported->mesh;
-  EXPECT_EQ(values_of<float>(*find(mesh, AttributeKind::kNormal)),
+  EXPECT_EQ(numbers<float>(*find(mesh, AttributeKind::kNormal)),
             (std::vector<float>{0, 0, 1, 0, 1, 0, 1, 0, 0}));
-  EXPECT_EQ(values_of<std::uint8_t>(*find(mesh, AttributeKind::kColor)),
+  EXPECT_EQ(numbers<std::uint8_t>(*find(mesh, AttributeKind::kColor)),
             (std::vector<std::uint8_t>{255, 0, 7, 1, 2, 3, 4, 5, 6}));
-  EXPECT_EQ(values_of<float>(*find(mesh, AttributeKind::kUv)), (std::vector<float>{0.5F, 1, 0, 0, 1, 1}));
+  EXPECT_EQ(numbers<float>(*find(mesh, AttributeKind::kUv)), (std::vector<float>{0.5F, 1, 0, 0, 1, 1}));
   const auto real = read_text("COFF\n2 0 0\n0 0 0 0 0 1.0 1\n1 0 0 1 0 0.25 1\n", FileFormat::kOff);
   ASSERT_TRUE(real) << describe(real.error());
-  EXPECT_EQ(values_of<float>(*find(real->mesh, AttributeKind::kColor)),
+  EXPECT_EQ(numbers<float>(*find(real->mesh, AttributeKind::kColor)),
             (std::vector<float>{0, 0, 1, 1, 1, 0, 0.25F, 1}));
 }
 

@@ -15,7 +15,7 @@ namespace {
 using test::attribute;
 using test::find;
 using test::left_out;
-using test::values_of;
+using test::numbers;
 
 using Groups = std::vector<std::uint32_t>;
 
@@ -33,7 +33,7 @@ std::vector<T> at_corners(const Mesh& mesh, AttributeKind kind) {
   std::vector<T> result;
   const Attribute* const found = find(mesh, kind);
   if (found == nullptr) return result;
-  const auto values = values_of<T>(*found);
+  const auto values = numbers<T>(*found);
   for (const std::uint32_t v : mesh.triangles)
     result.insert(result.end(), &values[v * found->components],
                   &values[v * found->components] + found->components);

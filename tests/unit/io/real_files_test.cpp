@@ -15,8 +15,8 @@ namespace {
 using test::expect_error;
 using test::find;
 using test::left_out;
+using test::numbers;
 using test::read_text;
-using test::values_of;
 
 constexpr FileFormat kPly = FileFormat::kPly;
 constexpr FileFormat kObj = FileFormat::kObj;

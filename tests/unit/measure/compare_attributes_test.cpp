@@ -2,27 +2,19 @@
 // Copyright 2026 The deltamesh authors
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <numeric>
 #include <random>
-#include <span>
 
 #include "deltamesh/compare.h"
+#include "support/attribute_of.h"
 
 namespace deltamesh {
 namespace {
 
-template <class T>
-Attribute attribute_of(AttributeKind kind, ComponentType type, std::uint8_t components, std::string name,
-                       std::span<const T> values, bool normalized = false) {
-  Attribute attribute{kind, type, components, normalized, std::move(name), {}};
-  attribute.values.resize(values.size_bytes());
-  std::memcpy(attribute.values.data(), values.data(), values.size_bytes());
-  return attribute;
-}
+using test::attribute_of;
 
 /// Squares of side 1 in a row, cut in two along seams: each square has its own four vertices, whose texture
 /// coordinates tell them apart from their neighbours' copies.
@@ -39,10 +31,8 @@ Mesh strip(std::uint32_t squares) {
     const std::uint32_t v = 4 * s;
     mesh.triangles.insert(mesh.triangles.end(), {v, v + 1, v + 2, v, v + 2, v + 3});
   }
-  mesh.attributes.push_back(
-      attribute_of<float>(AttributeKind::kNormal, ComponentType::kF32, 3, "NORMAL", normals));
-  mesh.attributes.push_back(
-      attribute_of<float>(AttributeKind::kUv, ComponentType::kF32, 2, "TEXCOORD_0", uv));
+  mesh.attributes.push_back(attribute_of(AttributeKind::kNormal, ComponentType::kF32, 3, "NORMAL", normals));
+  mesh.attributes.push_back(attribute_of(AttributeKind::kUv, ComponentType::kF32, 2, "TEXCOORD_0", uv));
   return mesh;
 }
 
@@ -112,17 +102,16 @@ TEST(CompareAttributes, TellsFacesAtOnePlaceApartByTheirValues) {
 TEST(CompareAttributes, MeasuresInTheUnitOfTheKind) {
   Mesh a = strip(2);
   const std::vector<std::uint8_t> colors(8 * 3, 100);
-  a.attributes.push_back(
-      attribute_of<std::uint8_t>(AttributeKind::kColor, ComponentType::kU8, 3, "red", colors, true));
+  a.attributes.push_back(attribute_of(AttributeKind::kColor, ComponentType::kU8, 3, "red", colors, true));
   const std::vector<std::uint16_t> weights(8 * 4, 65535 / 4);
-  a.attributes.push_back(attribute_of<std::uint16_t>(AttributeKind::kWeights, ComponentType::kU16, 4,
-                                                     "WEIGHTS_0", weights, true));
+  a.attributes.push_back(
+      attribute_of(AttributeKind::kWeights, ComponentType::kU16, 4, "WEIGHTS_0", weights, true));
   const std::vector<float> intensity(8, 2);
   a.attributes.push_back(
-      attribute_of<float>(AttributeKind::kGeneric, ComponentType::kF32, 1, "intensity", intensity));
+      attribute_of(AttributeKind::kGeneric, ComponentType::kF32, 1, "intensity", intensity));
   const std::vector<std::int8_t> influences(8, 100);
   a.attributes.push_back(
-      attribute_of<std::int8_t>(AttributeKind::kWeights, ComponentType::kI8, 1, "influence", influences));
+      attribute_of(AttributeKind::kWeights, ComponentType::kI8, 1, "influence", influences));
   Mesh b = a;
   value(b, 0, 0) = 1;  // 45 degrees
   value(b, 1, 2) += 0.3F;
@@ -153,8 +142,7 @@ TEST(CompareAttributes, ComparesTangentsWithTheirSign) {
   Mesh a = strip(1);
   std::vector<float> tangents;
   for (int i = 0; i < 4; ++i) tangents.insert(tangents.end(), {1, 0, 0, 1});
-  a.attributes.push_back(
-      attribute_of<float>(AttributeKind::kTangent, ComponentType::kF32, 4, "TANGENT", tangents));
+  a.attributes.push_back(attribute_of(AttributeKind::kTangent, ComponentType::kF32, 4, "TANGENT", tangents));
   Mesh b = a;
   value(b, 2, 1) = 1;
   EXPECT_NEAR(compare(a, b)->attributes[2].max_error, 45, 1e-9);
@@ -166,17 +154,13 @@ TEST(CompareAttributes, FindsPartnersByNameThenByKind) {
   Mesh a = strip(1);
   Mesh b = a;
   const std::vector<float> four(4, 0.0F);
-  a.attributes.push_back(
-      attribute_of<float>(AttributeKind::kGeneric, ComponentType::kF32, 1, "confidence", four));
-  b.attributes.push_back(
-      attribute_of<float>(AttributeKind::kGeneric, ComponentType::kF32, 1, "intensity", four));
+  a.attributes.push_back(attribute_of(AttributeKind::kGeneric, ComponentType::kF32, 1, "confidence", four));
+  b.attributes.push_back(attribute_of(AttributeKind::kGeneric, ComponentType::kF32, 1, "intensity", four));
   b.attributes[0].name = "nx";
   const std::vector<std::uint8_t> rgb(12);
   const std::vector<std::uint8_t> rgba(16);
-  a.attributes.push_back(
-      attribute_of<std::uint8_t>(AttributeKind::kColor, ComponentType::kU8, 3, "red", rgb, true));
-  b.attributes.push_back(
-      attribute_of<std::uint8_t>(AttributeKind::kColor, ComponentType::kU8, 4, "red", rgba, true));
+  a.attributes.push_back(attribute_of(AttributeKind::kColor, ComponentType::kU8, 3, "red", rgb, true));
+  b.attributes.push_back(attribute_of(AttributeKind::kColor, ComponentType::kU8, 4, "red", rgba, true));
   const auto result = compare(a, b);
   ASSERT_TRUE(result);
   std::vector<std::pair<std::string, AttributeMatch>> found;
