@@ -28,18 +28,6 @@ inline std::vector<std::uint32_t> identity(std::uint32_t count) {
   return order;
 }
 
-/// The triangles of a grid of side x side vertices.
-inline std::vector<std::uint32_t> grid_of(std::uint32_t side) {
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t y = 0; y + 1 < side; ++y) {
-    for (std::uint32_t x = 0; x + 1 < side; ++x) {
-      const std::uint32_t v = y * side + x;
-      triangles.insert(triangles.end(), {v, v + 1, v + side, v + 1, v + side + 1, v + side});
-    }
-  }
-  return triangles;
-}
-
 /// Bounds that no coding may use: everything is exact.
 inline const AttributeQuality kExactly{.normal_error = 0, .uv_error = 0, .weight_error = 0};
 

@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/grid_triangles.h"
+
 namespace deltamesh::test {
 
 using Json = nlohmann::ordered_json;
@@ -58,12 +60,7 @@ inline Sheet make_sheet(std::uint32_t n) {
       sheet.uvs.insert(sheet.uvs.end(), {x, 1 - y});
     }
   }
-  for (std::uint32_t j = 0; j + 1 < n; ++j) {
-    for (std::uint32_t i = 0; i + 1 < n; ++i) {
-      const std::uint32_t a = j * n + i;
-      sheet.triangles.insert(sheet.triangles.end(), {a, a + 1, a + n, a + 1, a + n + 1, a + n});
-    }
-  }
+  sheet.triangles = grid_triangles(n, n);
   return sheet;
 }
 

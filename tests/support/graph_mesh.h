@@ -12,6 +12,7 @@
 
 #include "base/numbers/vec3.h"
 #include "laplacian/anchors/anchor_sequence.h"
+#include "support/grid_triangles.h"
 #include "topology/adjacency.h"
 
 namespace deltamesh::test {
@@ -46,12 +47,8 @@ inline void add_sheet(GraphMesh& mesh, std::uint32_t width, std::uint32_t height
       mesh.positions.push_back(corner + Vec3{static_cast<double>(x), static_cast<double>(y), bump});
     }
   }
-  for (std::uint32_t y = 0; y + 1 < height; ++y) {
-    for (std::uint32_t x = 0; x + 1 < width; ++x) {
-      const std::uint32_t a = first + y * width + x;
-      mesh.triangles.insert(mesh.triangles.end(), {a, a + 1, a + width, a + 1, a + width + 1, a + width});
-    }
-  }
+  const auto triangles = grid_triangles(width, height, first);
+  mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
 }
 
 inline GraphMesh sheet(std::uint32_t width, std::uint32_t height) {

@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
+#include <random>
+#include <utility>
 
 #include "support/attribute_of.h"
+#include "support/grid_triangles.h"
 
 namespace deltamesh::test {
 namespace {
@@ -68,13 +73,7 @@ Mesh bumpy_grid(std::uint32_t columns, std::uint32_t rows) {
       mesh.positions.insert(mesh.positions.end(), {static_cast<float>(x), static_cast<float>(y), bump});
     }
   }
-  const std::uint32_t stride = columns + 1;
-  for (std::uint32_t y = 0; y < rows; ++y) {
-    for (std::uint32_t x = 0; x < columns; ++x) {
-      const std::uint32_t v = y * stride + x;
-      mesh.triangles.insert(mesh.triangles.end(), {v, v + 1, v + stride, v + 1, v + stride + 1, v + stride});
-    }
-  }
+  mesh.triangles = grid_triangles(columns + 1, rows + 1);
   return mesh;
 }
 
@@ -137,6 +136,30 @@ std::vector<NamedMesh> awkward_meshes() {
       {"huge", scaled(grid, 1e30F)},
       {"denormal", scaled(grid, 1e-44F)},
   };
+}
+
+Shuffled shuffled(const Mesh& mesh, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<std::uint32_t> order(mesh.vertex_count());
+  std::iota(order.begin(), order.end(), 0U);
+  std::shuffle(order.begin(), order.end(), random);
+  std::vector<std::uint32_t> inverse(order.size());
+  Mesh result;
+  result.origin = mesh.origin;
+  for (std::uint32_t v = 0; v < order.size(); ++v) {
+    inverse[order[v]] = v;
+    for (std::size_t k = 0; k < 3; ++k) result.positions.push_back(mesh.positions[3 * order[v] + k]);
+  }
+  for (std::size_t t = mesh.triangle_count(); t-- > 0;)
+    for (std::size_t k = 0; k < 3; ++k)
+      result.triangles.push_back(inverse[mesh.triangles[3 * t + (k + t) % 3]]);
+  for (const Attribute& from : mesh.attributes) {
+    Attribute& to = result.attributes.emplace_back(from);
+    const std::size_t size = from.components * component_size(from.type);
+    for (std::size_t v = 0; v < order.size(); ++v)
+      std::memcpy(to.values.data() + v * size, from.values.data() + order[v] * size, size);
+  }
+  return {std::move(result), std::move(order)};
 }
 
 std::vector<std::array<std::uint32_t, 3>> canonical_faces(std::span<const std::uint32_t> triangles) {

@@ -29,6 +29,14 @@ Mesh attributed_grid(std::uint32_t columns, std::uint32_t rows);
 /// faces, bow-tie, seams, many components, extreme range, flat, all vertices in one place.
 std::vector<NamedMesh> awkward_meshes();
 
+struct Shuffled {
+  Mesh mesh;
+  std::vector<std::uint32_t> order;  ///< the old vertex of each
+};
+
+/// Vertices in another order, by `seed`; triangles in reverse order and rotated.
+Shuffled shuffled(const Mesh& mesh, std::uint32_t seed);
+
 /// The triangles of `mesh` with each rotated to start at its smallest index, sorted: equal for meshes with
 /// the same oriented faces.
 std::vector<std::array<std::uint32_t, 3>> canonical_faces(std::span<const std::uint32_t> triangles);

@@ -11,6 +11,7 @@
 
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/split.h"
+#include "support/grid_triangles.h"
 
 namespace deltamesh::fuzz {
 
@@ -24,12 +25,7 @@ inline Mesh waves(std::uint32_t side) {
         mesh.positions.push_back(coordinate);
       for (std::uint32_t k = 1; k < 4; ++k) color.values.push_back(static_cast<std::byte>(k * x + y));
     }
-  for (std::uint32_t y = 0; y < side; ++y)
-    for (std::uint32_t x = 0; x < side; ++x) {
-      const std::uint32_t a = y * (side + 1) + x;
-      for (const std::uint32_t v : {a, a + 1, a + side + 1, a + 1, a + side + 2, a + side + 1})
-        mesh.triangles.push_back(v);
-    }
+  mesh.triangles = test::grid_triangles(side + 1, side + 1);
   mesh.attributes.push_back(color);
   return mesh;
 }

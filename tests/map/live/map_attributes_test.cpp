@@ -12,6 +12,7 @@
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
+#include "support/grid_triangles.h"
 
 namespace deltamesh::map_attributes_test {
 namespace {
@@ -42,12 +43,7 @@ Mesh wavy_square() {
       append(intensity, 100 * x + static_cast<float>(random() % 1000) / 1000);
       append(label, static_cast<std::uint16_t>(i / 8));
     }
-  for (std::uint32_t j = 0; j < kEdge; ++j)
-    for (std::uint32_t i = 0; i < kEdge; ++i) {
-      const std::uint32_t a = j * (kEdge + 1) + i;
-      for (const std::uint32_t corner : {a, a + 1, a + kEdge + 1, a + 1, a + kEdge + 2, a + kEdge + 1})
-        mesh.triangles.push_back(corner);
-    }
+  mesh.triangles = test::grid_triangles(kEdge + 1, kEdge + 1);
   mesh.attributes = {std::move(normal), std::move(intensity), std::move(label)};
   return mesh;
 }

@@ -13,6 +13,7 @@
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
+#include "support/grid_triangles.h"
 
 namespace deltamesh::map_fault_test {
 namespace {
@@ -31,12 +32,7 @@ Mesh noise(float x, std::uint32_t edge) {
                                      static_cast<float>(j) / static_cast<float>(edge), z})
         mesh.positions.push_back(coordinate);
     }
-  for (std::uint32_t j = 0; j < edge; ++j)
-    for (std::uint32_t i = 0; i < edge; ++i) {
-      const std::uint32_t a = j * (edge + 1) + i;
-      for (const std::uint32_t corner : {a, a + 1, a + edge + 1, a + 1, a + edge + 2, a + edge + 1})
-        mesh.triangles.push_back(corner);
-    }
+  mesh.triangles = test::grid_triangles(edge + 1, edge + 1);
   return mesh;
 }
 

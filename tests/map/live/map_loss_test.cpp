@@ -14,6 +14,7 @@
 #include "deltamesh/map/receiver.h"
 #include "deltamesh/map/sender.h"
 #include "message/frame.h"
+#include "support/grid_triangles.h"
 
 namespace deltamesh::map_loss_test {
 namespace {
@@ -30,12 +31,7 @@ Mesh sheet(float x, float height) {
       for (const float coordinate : {x + static_cast<float>(i) / kEdge, static_cast<float>(j) / kEdge,
                                      i < 3 && j < 3 ? height : 0.25F})
         mesh.positions.push_back(coordinate);
-  for (std::uint32_t j = 0; j < kEdge; ++j)
-    for (std::uint32_t i = 0; i < kEdge; ++i) {
-      const std::uint32_t a = j * (kEdge + 1) + i;
-      for (const std::uint32_t corner : {a, a + 1, a + kEdge + 1, a + 1, a + kEdge + 2, a + kEdge + 1})
-        mesh.triangles.push_back(corner);
-    }
+  mesh.triangles = test::grid_triangles(kEdge + 1, kEdge + 1);
   return mesh;
 }
 

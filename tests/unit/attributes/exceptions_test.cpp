@@ -15,12 +15,13 @@
 #include "deltamesh/encode.h"
 #include "round_trip.h"
 #include "support/attribute_coding.h"
+#include "support/grid_triangles.h"
 #include "support/random.h"
 
 namespace deltamesh::exceptions_test {
 namespace {
 
-using test::grid_of;
+using test::grid_triangles;
 using test::identity;
 using test::numbers;
 
@@ -31,7 +32,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Of a wavy sheet over a grid.
 struct Sheet {
-  std::vector<std::uint32_t> triangles = grid_of(kSide);
+  std::vector<std::uint32_t> triangles = grid_triangles(kSide, kSide);
   std::vector<float> positions;
   std::vector<float> normals;   ///< of the length 3
   std::vector<float> tangents;  ///< of the length 0.5

@@ -21,13 +21,14 @@
 #include "positions/lattice/coder.h"
 #include "round_trip.h"
 #include "support/attribute_coding.h"
+#include "support/grid_triangles.h"
 #include "support/guarded.h"
 #include "support/random.h"
 
 namespace deltamesh::lattice_test {
 namespace {
 
-using test::grid_of;
+using test::grid_triangles;
 using test::identity;
 using test::numbers;
 using test::rows;
@@ -37,7 +38,7 @@ constexpr std::uint32_t kVertices = kSide * kSide;
 
 /// The same with every vertex twice, the second copies at the faces of odd numbers.
 struct CopiedGrid {
-  std::vector<std::uint32_t> triangles = grid_of(kSide);
+  std::vector<std::uint32_t> triangles = grid_triangles(kSide, kSide);
   std::vector<std::uint32_t> geometric;
   CopiedGrid() {
     for (std::uint32_t v = 0; v < 2 * kVertices; ++v) geometric.push_back(v / 2);
@@ -57,7 +58,7 @@ CodedAttribute code(const Attribute& a, double bound, const AttributeSurface& su
 }
 
 CodedAttribute code(const Attribute& a, double bound = 0) {
-  const auto triangles = grid_of(kSide);
+  const auto triangles = grid_triangles(kSide, kSide);
   return code(a, bound, {triangles, rows(a)});
 }
 
@@ -212,7 +213,7 @@ TEST(Lattice, ATTR56FloatsAreExactAndPredicted) {
 }
 
 TEST(Lattice, ATTR56WhatMustBeExactIsPredictedWhateverItsKind) {
-  const auto triangles = grid_of(kSide);
+  const auto triangles = grid_triangles(kSide, kSide);
   const AttributeQuality exactly{.normal_error = 0, .tangent_error = 0, .uv_error = 0, .weight_error = 0};
   struct Case {
     AttributeKind kind;
@@ -243,7 +244,7 @@ TEST(Lattice, BoundsOfWeightsArePartsOf1OfAnyIntegerType) {
     values.push_back(static_cast<std::int8_t>(64 + 60 * std::sin(0.3 * v)));
   Attribute a = make(ComponentType::kI8, 1, values);
   a.kind = AttributeKind::kWeights;
-  const auto triangles = grid_of(kSide);
+  const auto triangles = grid_triangles(kSide, kSide);
   const auto coded = write_attribute(test::view(a), identity(kVertices), {.quality = {.weight_error = 0.04}},
                                      {triangles, kVertices}, {});
   ASSERT_TRUE(coded);
@@ -262,7 +263,7 @@ TEST(Lattice, ATTR56NumbersUpToTheLargestAreExact) {
 }
 
 TEST(Lattice, ExactWideValuesThatMayRepeatHaveAPlainFormToo) {
-  const auto triangles = grid_of(kSide);
+  const auto triangles = grid_triangles(kSide, kSide);
   const AttributeSurface surface(triangles, kVertices);
   const Attribute a = make(ComponentType::kF32, 1, waves<float>(1));
   const AttributeQuality quality;
@@ -336,7 +337,7 @@ TEST(Lattice, ATTR59WhatRestsIsExactAndCostsNearlyNothing) {
   std::vector<float> twice;
   for (std::uint32_t v = 0; v < 2 * kVertices; ++v)
     twice.insert(twice.end(), moving.begin() + 3 * (v / 2), moving.begin() + 3 * (v / 2) + 3);
-  const auto triangles = grid_of(kSide);
+  const auto triangles = grid_triangles(kSide, kSide);
   const AttributeQuality quality{.named = {{"thing", 1e-3}}};
   for (const int effort : {0, 1}) {
     for (const bool is_copied : {false, true}) {
@@ -448,7 +449,7 @@ TEST(Lattice, ATTR56NumbersBeyondTheLatticeAreRefused) {
   const std::size_t at = in.position();
   ASSERT_NE(coded.payload[at] & std::byte{0x7f}, std::byte{0});
   coded.payload[at] = static_cast<std::byte>(std::to_integer<unsigned>(coded.payload[at]) - 1);
-  const auto triangles = grid_of(kSide);
+  const auto triangles = grid_triangles(kSide, kSide);
   const auto read = read_attribute(Payload::compact(coded.payload), coded.descriptor,
                                    AttributeSurface(triangles, kVertices), {}, 1 << 20);
   ASSERT_FALSE(read);

@@ -20,13 +20,14 @@
 #include "entropy/coder/writer.h"
 #include "round_trip.h"
 #include "support/attribute_coding.h"
+#include "support/grid_triangles.h"
 #include "support/guarded.h"
 #include "support/random.h"
 
 namespace deltamesh::skin_test {
 namespace {
 
-using test::grid_of;
+using test::grid_triangles;
 using test::numbers;
 using test::rows;
 
@@ -81,7 +82,7 @@ CodedAttribute code(const Attribute& a, double bound, const AttributeSurface& su
 }
 
 CodedAttribute code(const Attribute& a, double bound = 0, std::span<const Attribute> others = {}) {
-  const auto triangles = grid_of(kSide);
+  const auto triangles = grid_triangles(kSide, kSide);
   return code(a, bound, {triangles, rows(a)}, others);
 }
 
@@ -211,7 +212,7 @@ TEST(Skin, ATTR65WeightsThatFollowTheirNeighboursCostLittle) {
 }
 
 TEST(Skin, ATTR58CopiesOfAVertexCostNearlyNothing) {
-  std::vector<std::uint32_t> triangles = grid_of(kSide);
+  std::vector<std::uint32_t> triangles = grid_triangles(kSide, kSide);
   for (std::size_t i = 0; i < triangles.size(); ++i)
     triangles[i] = 2 * triangles[i] + static_cast<std::uint32_t>(i / 3 % 2);
   std::vector<std::uint32_t> geometric;
@@ -243,7 +244,7 @@ TEST(Skin, ATTR58CopiesOfAVertexCostNearlyNothing) {
 
 TEST(Skin, ATTR11WeightsMayBeListedBeforeTheirJoints) {
   Mesh mesh;
-  mesh.triangles = grid_of(kSide);
+  mesh.triangles = grid_triangles(kSide, kSide);
   for (std::uint32_t v = 0; v < kVertices; ++v)
     for (const float x : {static_cast<float>(v % kSide), static_cast<float>(v / kSide), 0.0F})
       mesh.positions.push_back(x);
@@ -304,7 +305,7 @@ TEST(Skin, ATTR60ATTR63BrokenStreamsAreNamed) {
 }
 
 TEST(Skin, CON3PrefixesAndExtraBytesAreRefusedAndFlippedOnesEnd) {
-  const auto triangles = grid_of(kSide);
+  const auto triangles = grid_triangles(kSide, kSide);
   const AttributeSurface surface(triangles, kVertices);
   const std::vector<Attribute> others{joints_attribute()};
   for (const Attribute& a :

@@ -16,6 +16,7 @@
 #include "attributes/normals/normals.h"
 #include "attributes/normals/rule.h"
 #include "base/numbers/portable_math.h"
+#include "support/grid_triangles.h"
 
 namespace deltamesh::surface_normals_test {
 namespace {
@@ -61,13 +62,7 @@ Model waves(std::uint32_t side, NormalRule rule) {
   for (std::uint32_t y = 0; y < side; ++y)
     for (std::uint32_t x = 0; x < side; ++x)
       push(model.positions, {0.1 * x, 0.1 * y, 0.3 * std::sin(0.4 * x) * std::cos(0.3 * y)});
-  for (std::uint32_t y = 0; y + 1 < side; ++y) {
-    for (std::uint32_t x = 0; x + 1 < side; ++x) {
-      const std::uint32_t v = y * side + x;
-      for (const std::uint32_t corner : {v, v + 1, v + side, v + 1, v + side + 1, v + side})
-        model.triangles.push_back(corner);
-    }
-  }
+  model.triangles = test::grid_triangles(side, side);
   for (const RuleSum& sum : sum_by_rule(rule, model.triangles, model.positions))
     push_direction(model.normals, {sum[0], sum[1], sum[2]});
   return model;

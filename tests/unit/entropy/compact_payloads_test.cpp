@@ -22,6 +22,7 @@
 #include "support/attribute_coding.h"
 #include "support/attribute_of.h"
 #include "support/graph_mesh.h"
+#include "support/grid_triangles.h"
 #include "support/guarded.h"
 #include "support/random.h"
 
@@ -220,8 +221,7 @@ TEST(CompactAttributes, ATTR10HighpassAttributesKnowNoPositions) {
     const auto y = static_cast<float>(i / 20);
     mesh.positions.insert(mesh.positions.end(), {x, y, std::sin(x) * std::cos(y)});
   }
-  for (std::uint32_t i = 0; i + 21 < 400; ++i)
-    if (i % 20 != 19) mesh.triangles.insert(mesh.triangles.end(), {i, i + 1, i + 20, i + 1, i + 21, i + 20});
+  mesh.triangles = test::grid_triangles(20, 20);
   const std::vector<float> normals = [] {
     std::vector<float> all;
     for (int i = 0; i < 400; ++i) all.insert(all.end(), {0.6F, 0, i % 2 == 0 ? 0.8F : -0.8F});

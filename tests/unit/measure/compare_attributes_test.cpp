@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numeric>
 #include <random>
 
 #include "deltamesh/compare.h"
 #include "support/attribute_of.h"
+#include "support/meshes.h"
 
 namespace deltamesh {
 namespace {
@@ -36,38 +36,13 @@ Mesh strip(std::uint32_t squares) {
   return mesh;
 }
 
-/// The same mesh with vertices and triangles in another order.
-Mesh shuffled(const Mesh& mesh) {
-  std::mt19937 random(11);
-  std::vector<std::uint32_t> order(mesh.vertex_count());
-  std::iota(order.begin(), order.end(), 0U);
-  std::shuffle(order.begin(), order.end(), random);
-  Mesh result;
-  std::vector<std::uint32_t> inverse(order.size());
-  for (std::uint32_t v = 0; v < order.size(); ++v) {
-    inverse[order[v]] = v;
-    for (std::size_t k = 0; k < 3; ++k) result.positions.push_back(mesh.positions[3 * order[v] + k]);
-  }
-  for (std::size_t t = mesh.triangle_count(); t-- > 0;)
-    for (std::size_t k = 0; k < 3; ++k)
-      result.triangles.push_back(inverse[mesh.triangles[3 * t + (k + t) % 3]]);
-  for (const Attribute& from : mesh.attributes) {
-    Attribute to = from;
-    const std::size_t size = from.components * component_size(from.type);
-    for (std::size_t v = 0; v < order.size(); ++v)
-      std::memcpy(to.values.data() + v * size, from.values.data() + order[v] * size, size);
-    result.attributes.push_back(std::move(to));
-  }
-  return result;
-}
-
 float& value(Mesh& mesh, std::size_t attribute, std::size_t index) {
   return reinterpret_cast<float*>(mesh.attributes[attribute].values.data())[index];
 }
 
 TEST(CompareAttributes, TellsCopiesApartByTheirFaces) {
   const Mesh a = strip(40);
-  Mesh b = shuffled(a);
+  Mesh b = test::shuffled(a, 11).mesh;
   std::mt19937 random(3);
   std::uniform_real_distribution<float> noise(-0.1F, 0.1F);
   for (std::size_t i = 2; i < b.positions.size(); i += 3) b.positions[i] += noise(random);
@@ -93,7 +68,7 @@ TEST(CompareAttributes, TellsFacesAtOnePlaceApartByTheirValues) {
     values.insert(values.end(), other.attributes[i].values.begin(), other.attributes[i].values.end());
   }
   for (std::size_t i = 8; i < 16; ++i) value(a, 1, i) += 10;
-  const auto result = compare(a, shuffled(a));
+  const auto result = compare(a, test::shuffled(a, 11).mesh);
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->corresponding);
   EXPECT_EQ(result->attributes[1].max_error, 0);
@@ -177,7 +152,7 @@ TEST(CompareAttributes, FindsPartnersByNameThenByKind) {
 
 TEST(CompareAttributes, MeasuresTheFacesThatBothHave) {
   const Mesh a = strip(20);
-  Mesh b = shuffled(a);
+  Mesh b = test::shuffled(a, 11).mesh;
   b.triangles.resize(b.triangles.size() - 9);
   b.triangles.insert(b.triangles.end(), {0, 40, 79});
   value(b, 1, 2 * std::size_t{b.triangles[0]}) += 0.5F;

@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
+
+#include "support/meshes.h"
 
 namespace deltamesh {
 namespace {
@@ -40,25 +41,6 @@ Mesh octahedron() {
   mesh.positions = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
   mesh.triangles = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
   return mesh;
-}
-
-/// Vertices in another order, triangles in another order and rotated; `order` gets the old vertex of each.
-Mesh shuffled(const Mesh& mesh, std::vector<std::uint32_t>& order) {
-  std::mt19937 random(5);
-  order.resize(mesh.vertex_count());
-  std::iota(order.begin(), order.end(), 0U);
-  std::shuffle(order.begin(), order.end(), random);
-  std::vector<std::uint32_t> inverse(order.size());
-  Mesh result;
-  result.origin = mesh.origin;
-  for (std::uint32_t v = 0; v < order.size(); ++v) {
-    inverse[order[v]] = v;
-    for (std::size_t k = 0; k < 3; ++k) result.positions.push_back(mesh.positions[3 * order[v] + k]);
-  }
-  for (std::size_t t = mesh.triangle_count(); t-- > 0;)
-    for (std::size_t corner = 0; corner < 3; ++corner)
-      result.triangles.push_back(inverse[mesh.triangles[3 * t + (corner + t) % 3]]);
-  return result;
 }
 
 TEST(Compare, FindsNoDifferenceToItself) {
@@ -105,8 +87,7 @@ TEST(Compare, SignsErrorsOutwardPositive) {
 
 TEST(Compare, FollowsTheOrder) {
   const Mesh a = grid(5, 0);
-  std::vector<std::uint32_t> order;
-  Mesh b = shuffled(a, order);
+  auto [b, order] = test::shuffled(a, 5);
   b.positions[2] += 0.125F;
   const auto result = compare(a, b, order);
   ASSERT_TRUE(result);
@@ -117,8 +98,7 @@ TEST(Compare, FollowsTheOrder) {
 
 TEST(Compare, FindsTheOrder) {
   const Mesh a = grid(20, 0);
-  std::vector<std::uint32_t> order;
-  Mesh b = shuffled(a, order);
+  auto [b, order] = test::shuffled(a, 5);
   std::mt19937 random(7);
   std::uniform_real_distribution<float> noise(-0.02F, 0.02F);  // edges are 0.05
   for (float& x : b.positions) x += noise(random);
@@ -137,8 +117,7 @@ TEST(Compare, FindsTheOrder) {
 
 TEST(Compare, DoesNotMissFacesThatDrawNothing) {
   const Mesh a = octahedron();
-  std::vector<std::uint32_t> order;
-  Mesh b = shuffled(a, order);
+  Mesh b = test::shuffled(a, 5).mesh;
   b.triangles.insert(b.triangles.end(), {2, 3, 3});
   for (const bool first : {true, false}) {
     const auto result = first ? compare(a, b) : compare(b, a);
@@ -186,8 +165,7 @@ TEST(Compare, FollowsNumbersThroughLargeErrors) {
 TEST(Compare, FindsTheOrderOfPoints) {
   Mesh a = grid(6, 0);
   a.triangles.clear();
-  std::vector<std::uint32_t> order;
-  const Mesh b = shuffled(a, order);
+  const Mesh b = test::shuffled(a, 5).mesh;
   Mesh fewer = b;
   fewer.positions.resize(fewer.positions.size() - 3);
   for (const Mesh& points : {b, fewer}) {
@@ -288,8 +266,7 @@ TEST(Compare, CountsWhatBecameFloat32) {
   const Mesh mesh = grid(4, 0);
   std::vector<float> higher(mesh.positions.size(), 0);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) higher[3 * v + 2] = 1e-5F;
-  std::vector<std::uint32_t> order;
-  const Mesh other = shuffled(mesh, order);
+  const auto [other, order] = test::shuffled(mesh, 5);
   EXPECT_FLOAT_EQ(static_cast<float>(compare(mesh, mesh, {}, {.a = higher})->quality.max_error), 1e-5F);
   EXPECT_FLOAT_EQ(static_cast<float>(compare(mesh, other, order, {.b = higher})->quality.max_error), 1e-5F);
   EXPECT_EQ(compare(mesh, other, order, {.a = higher, .b = higher})->quality.max_error, 0);
