@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What all importer targets do: read the bytes, check what the importer promises, write the mesh in its own
-// format.
-#pragma once
-
+// Any bytes into the importer of DELTAMESH_FORMAT, a FileFormat. What it promises must hold of the mesh,
+// which is then written in its own format and read again.
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <span>
@@ -12,20 +11,25 @@
 #include "deltamesh/io.h"
 #include "goal.h"
 
-namespace deltamesh {
+namespace {
 
-inline fuzz::Goal imported_and_back("a file");
+using namespace deltamesh;
 
-/// Stops the program where a promise of read_mesh() or write_mesh() is broken.
-inline void fuzz_import(const std::uint8_t* data, std::size_t size, FileFormat format) {
-  const auto require = [](bool condition) {
-    if (!condition) std::abort();
-  };
-  const auto imported = read_mesh({reinterpret_cast<const std::byte*>(data), size}, format);
+fuzz::Goal imported_and_back("a file");
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr FileFormat kFormat = FileFormat::DELTAMESH_FORMAT;
+  const auto imported = read_mesh(std::as_bytes(std::span(data, size)), kFormat);
   if (!imported) {
     require(imported.error().code == ErrorCode::kInvalidFile ||
             imported.error().code == ErrorCode::kLimitExceeded);
-    return;
+    return 0;
   }
   const Mesh& mesh = imported->mesh;
   require(mesh.positions.size() % 3 == 0 && mesh.triangles.size() % 3 == 0);
@@ -37,13 +41,14 @@ inline void fuzz_import(const std::uint8_t* data, std::size_t size, FileFormat f
     require(attribute.values.size() ==
             mesh.vertex_count() * attribute.components * component_size(attribute.type));
   }
-  const auto written = write_mesh(mesh, format);
-  // Coordinates that are not finite are the one thing a format may refuse.
-  if (!written) return require(written.error().code == ErrorCode::kNotFinite);
-  const auto again = read_mesh(*written, format);
+  const auto written = write_mesh(mesh, kFormat);
+  if (!written) {  // coordinates that are not finite are the one thing a format may refuse
+    require(written.error().code == ErrorCode::kNotFinite);
+    return 0;
+  }
+  const auto again = read_mesh(*written, kFormat);
   require(again.has_value());
   require(again->mesh.triangle_count() == mesh.triangle_count());
   imported_and_back.reach();
+  return 0;
 }
-
-}  // namespace deltamesh
