@@ -47,10 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   DecodeOptions shared = options;
   shared.threads = 2;
   if (!is_same(decode(stream, shared), mesh)) std::abort();
-  if (!mesh) {
-    if (mesh.error().code == ErrorCode::kInternal) std::abort();
-    return 0;
-  }
+  if (!fuzz::check(mesh)) return 0;
   if (!info || info->vertices != mesh->vertex_count() || info->triangles != mesh->triangle_count())
     std::abort();
   for (const std::uint32_t v : mesh->triangles) {

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <span>
 #include <vector>
 
 #include "attributes/attribute.h"
 #include "goal.h"
+#include "support/attribute_coding.h"
 
 namespace {
 
@@ -33,14 +33,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<std::byte> bytes(reinterpret_cast<const std::byte*>(data),
                                      reinterpret_cast<const std::byte*>(shape));
   const auto read = read_attribute(bytes, descriptor, surface, {}, 1 << 16);
-  if (!read) {
-    if (read.error().code == ErrorCode::kInternal) std::abort();
-    return 0;
-  }
+  if (!fuzz::check(read)) return 0;
   if (read->values.size() != attribute_bytes(descriptor, surface.vertex_count())) std::abort();
 
-  std::vector<std::uint32_t> order(surface.vertex_count());
-  std::iota(order.begin(), order.end(), 0U);
+  const auto order = test::identity(surface.vertex_count());
   const AttributeView exact{AttributeKind::kGeneric, read->type, read->components,
                             read->normalized,        {},         read->values};
   const AttributeQuality quality;

@@ -7,14 +7,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <span>
-#include <vector>
 
 #include "attributes/colors/colors.h"
 #include "attributes/haar/haar.h"
 #include "goal.h"
 #include "meshes.h"
+#include "support/attribute_coding.h"
 
 namespace {
 
@@ -44,13 +43,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto bytes = std::as_bytes(std::span(data, size - 1));
   const auto read = at_mean_error ? read_haar_values(bytes, shape, surface)
                                   : read_surface_colors(bytes, type, components, surface);
-  if (!read) {
-    if (read.error().code == ErrorCode::kInternal) std::abort();
-    return 0;
-  }
+  if (!fuzz::check(read)) return 0;
   if (read->size() != surface.vertex_count() * components * component_size(type)) std::abort();
-  std::vector<std::uint32_t> order(surface.vertex_count());
-  std::iota(order.begin(), order.end(), 0U);
+  const auto order = test::identity(surface.vertex_count());
   const AttributeView view{
       .type = type, .components = static_cast<std::uint8_t>(components), .name = {}, .values = *read};
   if (at_mean_error) {

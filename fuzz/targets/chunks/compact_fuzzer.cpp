@@ -31,18 +31,13 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-template <class T>
-void require_clean(const Result<T>& result) {
-  require(result || result.error().code != ErrorCode::kInternal);
-}
-
 /// Symbols of every kind, as many as the bytes last for; then the same symbols through a writer.
 void fuzz_coder(std::span<const std::byte> bytes) {
   std::vector<std::uint32_t> values;
   CompactReader reader(bytes);
   fuzz::run_coder(reader, values, [&](std::size_t i) { return i < fuzz::kMostRun && !reader.failed(); });
   const auto finished = reader.finish(0);
-  require_clean(finished);
+  fuzz::check(finished);
   CompactWriter writer;
   std::vector<std::uint32_t> copy = values;
   fuzz::run_coder(writer, copy, [&](std::size_t i) { return i < values.size(); });
@@ -57,8 +52,7 @@ void fuzz_coder(std::span<const std::byte> bytes) {
 void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
   constexpr std::uint32_t kVertices = 60;
   const auto read = read_connectivity(bytes, kVertices, faces);
-  require_clean(read);
-  if (!read) return;
+  if (!fuzz::check(read)) return;
   require(read->triangles.size() == std::size_t{3} * faces);
   for (const std::uint32_t v : read->triangles) require(v < kVertices);
   const Adjacency graph = build_adjacency(read->triangles, kVertices);
@@ -74,8 +68,7 @@ void fuzz_connectivity(std::span<const std::byte> bytes, std::uint32_t faces) {
 void fuzz_deltas(std::span<const std::byte> bytes) {
   static const test::GraphMesh kMesh = test::sheet(6, 5);
   const auto read = read_compact_deltas(bytes, kMesh.graph);
-  require_clean(read);
-  if (!read) return;
+  if (!fuzz::check(read)) return;
   const auto again = read_compact_deltas(write_compact_deltas(*read, kMesh.graph), kMesh.graph);
   require(again && *again == *read);
   deltas_read.reach();
@@ -83,8 +76,7 @@ void fuzz_deltas(std::span<const std::byte> bytes) {
 
 void fuzz_anchors(std::span<const std::byte> bytes, std::uint32_t count) {
   const auto read = read_anchors(bytes, count);
-  require_clean(read);
-  if (!read) return;
+  if (!fuzz::check(read)) return;
   const auto again = read_anchors(write_compact_anchors(*read), count);
   require(again && again->gaps == read->gaps && again->steps == read->steps);
   anchors_read.reach();
@@ -103,8 +95,7 @@ void fuzz_attribute(std::span<const std::byte> bytes) {
       .type = static_cast<ComponentType>(number(1, 8)),
       .components = static_cast<std::uint8_t>(1 + number(2, kMaxComponents))};
   const auto read = read_attribute(Payload::compact(bytes.subspan(3)), descriptor, surface, {}, 1 << 16);
-  require_clean(read);
-  if (!read) return;
+  if (!fuzz::check(read)) return;
   require(read->values.size() == attribute_bytes(descriptor, rows));
   attribute_read.reach();
 }

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "attributes/payload.h"
 #include "goal.h"
 #include "meshes.h"
+#include "support/attribute_coding.h"
 
 namespace {
 
@@ -41,14 +41,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::byte> bytes{static_cast<std::byte>(AttributeCoding::kLattice) | exceptions};
   for (const std::uint8_t* byte = data; byte != shape; ++byte) bytes.push_back(static_cast<std::byte>(*byte));
   const auto read = read_attribute(Payload::compact(bytes), descriptor, surface, {}, 1 << 16);
-  if (!read) {
-    if (read.error().code == ErrorCode::kInternal) std::abort();
-    return 0;
-  }
+  if (!fuzz::check(read)) return 0;
   if (read->values.size() != attribute_bytes(descriptor, vertices)) std::abort();
 
-  std::vector<std::uint32_t> order(vertices);
-  std::iota(order.begin(), order.end(), 0U);
+  const auto order = test::identity(vertices);
   const AttributeView exact{AttributeKind::kGeneric, read->type, read->components,
                             read->normalized,        {},         read->values};
   const AttributeQuality quality;

@@ -29,10 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const AttributeSurface surface = faces.surface();
   const std::uint32_t count = surface.vertex_count();
   const auto read = read_surface_normals(faces.rest(), surface);
-  if (!read) {
-    if (read.error().code == ErrorCode::kInternal) std::abort();
-    return 0;
-  }
+  if (!fuzz::check(read)) return 0;
   if (read->size() != 3 * std::size_t{count}) std::abort();
   const auto at = [](const std::vector<float>& values, std::size_t v) {
     return Vec3{values[3 * v], values[3 * v + 1], values[3 * v + 2]};

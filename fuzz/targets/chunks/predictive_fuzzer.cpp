@@ -38,10 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const bool is_plain = choice[2] % 8 == 0;
   const auto positions = is_plain ? read_plain_positions(bytes, faces.vertex_count, parameters)
                                   : read_positions(bytes, faces, parameters, mesh.box);
-  if (!positions) {
-    if (positions.error().code == ErrorCode::kInternal) std::abort();
-    return 0;
-  }
+  if (!fuzz::check(positions)) return 0;
   if (positions->size() != 3 * mesh.positions.size()) std::abort();
   for (const float x : *positions)
     if (!std::isfinite(x)) std::abort();

@@ -44,10 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const auto split = read_seams(payload, coded.triangles, soup.vertex_count, vertex_count);
-  if (!split) {
-    if (split.error().code == ErrorCode::kInternal) std::abort();
-    return 0;
-  }
+  if (!fuzz::check(split)) return 0;
   if (split->geometric.size() != vertex_count || split->triangles.size() != coded.triangles.size())
     std::abort();
   std::vector<std::uint8_t> used(vertex_count, 0);

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "attributes/payload.h"
 #include "goal.h"
 #include "meshes.h"
+#include "support/attribute_coding.h"
 
 namespace {
 
@@ -43,14 +43,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::byte> bytes{static_cast<std::byte>(coding)};
   for (const std::uint8_t* byte = data; byte != shape; ++byte) bytes.push_back(static_cast<std::byte>(*byte));
   const auto read = read_attribute(Payload::compact(bytes), descriptor, surface, others, 1 << 16);
-  if (!read) {
-    if (read.error().code == ErrorCode::kInternal) std::abort();
-    return 0;
-  }
+  if (!fuzz::check(read)) return 0;
   if (read->values.size() != attribute_bytes(descriptor, vertices)) std::abort();
 
-  std::vector<std::uint32_t> order(vertices);
-  std::iota(order.begin(), order.end(), 0U);
+  const auto order = test::identity(vertices);
   const AttributeView view{read->kind, read->type, 4, false, {}, read->values};
   const AttributeQuality quality{.weight_error = 1.0 / 1024};
   const auto written = write_attribute(view, order, {.quality = quality}, surface, others);

@@ -31,10 +31,7 @@ fuzz::Goal entry_read("entry");
 template <class Read, class Write>
 void check(Read read, Write write, std::span<const std::byte> bytes, fuzz::Goal& goal) {
   const auto message = read(bytes);
-  if (!message) {
-    if (message.error().code == ErrorCode::kInternal) std::abort();
-    return;
-  }
+  if (!fuzz::check(message)) return;
   const auto written = write(*message);
   if (!written) std::abort();
   const auto again = read(*written);

@@ -20,10 +20,6 @@ using namespace deltamesh;
 fuzz::Goal talked("a viewer's message, which the sender answers");
 fuzz::Goal was_shown("messages after which a part is shown");
 
-void check(const Result<void>& result) {
-  if (!result && result.error().code == ErrorCode::kInternal) std::abort();
-}
-
 void check_shown(const MapReceiver& receiver) {
   const auto keys = receiver.shown();
   for (const PartKey& a : keys) {
@@ -44,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   View view;
   view.max_error = 0.05F;
   receiver.set_view(view);
-  check(receiver.apply(*write_description(test::World::description())));
+  fuzz::check(receiver.apply(*write_description(test::World::description())));
   double now = 0;
   auto rest = std::as_bytes(std::span(data, size));
   while (rest.size() >= 2) {
@@ -52,15 +48,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                                                            << 8;
     const auto message = rest.subspan(2, std::min(length, rest.size() - 2));
     rest = rest.subspan(2 + message.size());
-    check(receiver.apply(message));
+    fuzz::check(receiver.apply(message));
     check_shown(receiver);
     const auto heard = sender->hear(message, ++now);
-    check(heard);
-    if (!heard || !sender->hear(*receiver.view_message(), now)) continue;
+    if (!fuzz::check(heard) || !sender->hear(*receiver.view_message(), now)) continue;
     for (const std::uint64_t viewer : sender->viewers()) {
       const auto messages = sender->messages_for(viewer, now);
       if (messages)
-        for (const auto& answer : *messages) check(receiver.apply(answer));
+        for (const auto& answer : *messages) fuzz::check(receiver.apply(answer));
     }
     check_shown(receiver);
     talked.reach();
