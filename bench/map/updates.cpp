@@ -109,10 +109,7 @@ Result<MapUpdates> drive_updates(std::uint64_t vertices, std::uint32_t steps) {
   if (!drive) return drive.error();
   MapUpdates updates{"drive", drive->voxel(), kDriveBlockVoxels * drive->voxel(), drive->origin(), {}, {}};
   for (std::uint32_t i = 0; i < steps; ++i) {
-    DriveUpdate update = drive->next();
-    SequenceStep& step = updates.steps.emplace_back();
-    for (DriveBlock& block : update.changed) step.changed.push_back({block.id, std::move(block.mesh)});
-    step.removed = std::move(update.removed);
+    updates.steps.push_back(drive->next());
     Mesh whole;
     for (const auto& [id, mesh] : drive->blocks()) {
       const auto first = static_cast<std::uint32_t>(whole.vertex_count());

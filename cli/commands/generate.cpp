@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "commands/commands.h"
-#include "commands/drive.h"
+#include "exit_codes.h"
 #include "mesh_files.h"
 #include "option_numbers.h"
 #include "report/console.h"
 #include "report/losses.h"
 #include "report/progress.h"
+#include "scenes/drive.h"
 #include "scenes/scenes.h"
+#include "sequence/sequence.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -33,10 +35,42 @@ Result<Mesh> generate_showing_progress(const GenerateArguments& arguments) {
   return generate_scene(*scene_of_name(arguments.scene), arguments.vertices, arguments.seed);
 }
 
+SequenceHeader header_of(const Drive& drive, std::uint64_t seed) {
+  return {.description =
+              "generated drive through rooms, seed " + std::to_string(seed) + ", an update every 0.2 s",
+          .voxel = drive.voxel(),
+          .block_voxels = kDriveBlockVoxels,
+          .block_metres = kDriveBlockVoxels * drive.voxel(),
+          .origin = drive.origin()};
+}
+
+/// Writes `arguments.steps` updates of a drive through rooms as a folder.
+int write_drive(const GenerateArguments& arguments) {
+  const std::string& folder = arguments.sequence;
+  auto drive = Drive::make(arguments.vertices, arguments.seed);
+  if (!drive) return fail("--vertices", drive.error());
+  auto writer = SequenceWriter::create(folder, header_of(*drive, arguments.seed));
+  if (!writer) return fail(folder, writer.error());
+  std::uint64_t changed = 0;
+  std::uint64_t removed = 0;
+  for (std::uint32_t i = 0; i < arguments.steps; ++i) {
+    const SequenceStep step = drive->next();
+    changed += step.changed.size();
+    removed += step.removed.size();
+    std::vector<SequenceBlock> blocks;
+    for (const auto& [id, mesh] : drive->blocks()) blocks.push_back({id, mesh});
+    if (auto added = writer->add(step, blocks); !added) return fail(folder, added.error());
+  }
+  std::cout << "rooms -> " << folder << ": " << counted(arguments.steps, "update", "updates") << ", "
+            << counted(changed, "changed block", "changed blocks") << ", " << grouped(removed)
+            << " removed; at the end " << counted(writer->vertices(), "vertex", "vertices") << ", "
+            << counted(writer->triangles(), "triangle", "triangles") << '\n';
+  return kOk;
+}
+
 int run_generate(const GenerateArguments& arguments) {
   if (!arguments.sequence.empty()) {
-    if (scene_of_name(arguments.scene) == Scene::kRooms)
-      return write_drive(arguments.sequence, arguments.steps, arguments.vertices, arguments.seed);
+    if (scene_of_name(arguments.scene) == Scene::kRooms) return write_drive(arguments);
     print_error(arguments.scene, "only rooms are driven through");
     return kUsage;
   }

@@ -95,12 +95,12 @@ Point Drive::place_at(double metres) const {
   return path_.front();
 }
 
-DriveUpdate Drive::next() {
+SequenceStep Drive::next() {
   ++step_;
-  std::set<DriveBlockId> touched;
+  std::set<SequenceBlockId> touched;
   observe(touched);
-  DriveUpdate update;
-  for (const DriveBlockId& id : touched) {
+  SequenceStep update;
+  for (const SequenceBlockId& id : touched) {
     Mesh mesh = mesh_of(id);
     const auto known = blocks_.find(id);
     if (mesh.triangles.empty()) {
@@ -117,7 +117,7 @@ DriveUpdate Drive::next() {
 
 /// Sees the nodes of the robot's room in a cone ahead. Nodes whose value changes touch every block with a
 /// cube at them.
-void Drive::observe(std::set<DriveBlockId>& touched) {
+void Drive::observe(std::set<SequenceBlockId>& touched) {
   const double driven = kMetresPerStep * step_;
   const Point eye = place_at(driven);
   const Point ahead = place_at(driven + 0.3) - eye;
@@ -176,7 +176,7 @@ bool Drive::observe_node(std::size_t node, const Point& p, const Item& person) {
   return mapped != before;
 }
 
-Mesh Drive::mesh_of(const DriveBlockId& id) const {
+Mesh Drive::mesh_of(const SequenceBlockId& id) const {
   Lattice piece = lattice_;
   std::array<std::uint32_t, 3> first{};
   for (std::size_t axis = 0; axis < 3; ++axis) {

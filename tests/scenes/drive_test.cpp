@@ -24,12 +24,12 @@ Drive start(std::uint64_t vertices, std::uint64_t seed) {
 }
 
 /// FNV-1a over ids, positions and triangles of what changed.
-std::uint64_t hash_of(const DriveUpdate& update) {
+std::uint64_t hash_of(const SequenceStep& update) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   const auto add = [&](std::span<const std::byte> bytes) {
     for (const std::byte b : bytes) hash = (hash ^ std::to_integer<std::uint64_t>(b)) * 0x100000001b3U;
   };
-  for (const DriveBlock& block : update.changed) {
+  for (const SequenceBlock& block : update.changed) {
     add(std::as_bytes(std::span(block.id)));
     add(std::as_bytes(std::span(block.mesh.positions)));
     add(std::as_bytes(std::span(block.mesh.triangles)));
@@ -46,13 +46,13 @@ std::string scratch_folder(const char* name) {
 
 TEST(Drive, BlocksAppearMoveAndVanish) {
   Drive drive = start(50000, 1);
-  std::set<DriveBlockId> known;
+  std::set<SequenceBlockId> known;
   std::size_t moved = 0;
   std::size_t removed = 0;
   for (int step = 0; step < 40; ++step) {
-    const DriveUpdate update = drive.next();
-    for (const DriveBlock& block : update.changed) moved += known.insert(block.id).second ? 0 : 1;
-    for (const DriveBlockId& id : update.removed) removed += known.erase(id);
+    const SequenceStep update = drive.next();
+    for (const SequenceBlock& block : update.changed) moved += known.insert(block.id).second ? 0 : 1;
+    for (const SequenceBlockId& id : update.removed) removed += known.erase(id);
     EXPECT_EQ(known.size(), drive.blocks().size());
   }
   EXPECT_GT(known.size(), 20U);
@@ -114,10 +114,7 @@ TEST(Sequence, WhatIsWrittenIsRead) {
   ASSERT_TRUE(writer);
   std::vector<SequenceStep> steps;
   for (int i = 0; i < 3; ++i) {
-    DriveUpdate update = drive.next();
-    SequenceStep& step = steps.emplace_back();
-    for (DriveBlock& block : update.changed) step.changed.push_back({block.id, std::move(block.mesh)});
-    step.removed = std::move(update.removed);
+    const SequenceStep& step = steps.emplace_back(drive.next());
     std::vector<SequenceBlock> blocks;
     for (const auto& [id, mesh] : drive.blocks()) blocks.push_back({id, mesh});
     ASSERT_TRUE(writer->add(step, blocks));

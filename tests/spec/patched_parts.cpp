@@ -87,11 +87,11 @@ int main(int argc, char** argv) {
   receiver.set_view(view);
   double now = 0;
   for (int i = 0; i < kUpdates; ++i) {
-    const DriveUpdate update = drive.next();
+    const SequenceStep update = drive.next();
     const Mesh nothing;
     std::vector<MapBlock> blocks;
-    for (const DriveBlock& block : update.changed) blocks.push_back({block.id, block.mesh});
-    for (const DriveBlockId& id : update.removed) blocks.push_back({id, nothing});
+    for (const SequenceBlock& block : update.changed) blocks.push_back({block.id, block.mesh});
+    for (const SequenceBlockId& id : update.removed) blocks.push_back({id, nothing});
     if (!sender) {
       const MapDescription description = description_of(drive, max_error, blocks);
       SenderOptions options;
