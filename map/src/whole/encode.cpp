@@ -13,6 +13,7 @@
 #include "deltamesh/map/join.h"
 #include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/split.h"
+#include "lattice/borders_of_links.h"
 #include "part/link_table.h"
 #include "whole/coded_parts.h"
 #include "whole/describe.h"
@@ -56,11 +57,6 @@ const PartEntry* find_entry(const MapManifest& manifest, const PartKey& key) noe
   return found != manifest.entries.end() && found->key == key ? &*found : nullptr;
 }
 
-std::uint32_t border_with(const PartEntry& entry, const PartKey& key) noexcept {
-  const auto found = std::ranges::find(entry.links, key, &PartLink::key);
-  return found == entry.links.end() ? 0 : found->border;
-}
-
 /// Links, and what a version has from the state before. All that changes is one group; where nothing does,
 /// there is no update.
 void number_versions(std::span<const MapPart> parts, const MapState* before, MapState& state) {
@@ -87,7 +83,7 @@ void number_versions(std::span<const MapPart> parts, const MapState* before, Map
     for (PartLink& link : entry.links)
       link.together = is_same_epoch &&
                       (old != nullptr || find_entry(before->manifest, link.key) != nullptr) &&
-                      (old == nullptr || border_with(*old, link.key) != link.border);
+                      (old == nullptr || border_in(old->links, link.key) != link.border);
   }
   if (!is_same_epoch || kept != manifest.entries.size() || kept != before->manifest.entries.size()) return;
   manifest.revision = before->manifest.revision;
