@@ -5,19 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers/vec3.h"
+
 namespace deltamesh {
 namespace {
 
 constexpr double kLeastWidth = 1.0 / (1 << 30);  // lattice steps; of a cell, so that its numbers have 54 bits
-
-double distance_squared(const KnownPositions::Position& a, const KnownPositions::Position& b) noexcept {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double d = double{a[k]} - double{b[k]};
-    sum += d * d;
-  }
-  return sum;
-}
 
 }  // namespace
 
@@ -42,7 +35,7 @@ KnownPositions::Known* KnownPositions::nearest(const Position& position) {
         const auto [begin, end] = known_.equal_range({x, y, z});
         for (auto i = begin; i != end; ++i) {
           Known& known = i->second;
-          const double distance = distance_squared(known.position, position);
+          const double distance = squared_distance(known.position, position);
           if (distance > least) continue;
           if (best != nullptr && distance == least && best->position < known.position) continue;
           best = &known;

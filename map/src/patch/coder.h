@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/numbers/vec3.h"
 #include "base/numbers/zigzag.h"
 #include "deltamesh/mesh.h"
 #include "entropy/coder/counted_bit.h"
@@ -168,18 +169,11 @@ class JoinCoder {
     const auto neighbors = base_edges_.of(before);
     for (const std::uint32_t other : neighbors.first(std::min(neighbors.size(), kMostCandidates)))
       if (is_taken_[other] == 0) candidates.push_back(other);
-    std::ranges::stable_sort(candidates, {}, [&](std::uint32_t v) { return squared_distance(vertex, v); });
+    const float* const place = inserted_.positions.data() + 3 * std::size_t{vertex};
+    std::ranges::stable_sort(candidates, {}, [&](std::uint32_t v) {
+      return squared_distance(place, base_.positions.data() + 3 * std::size_t{v});
+    });
     return candidates;
-  }
-
-  double squared_distance(std::uint32_t inserted, std::uint32_t base) const noexcept {
-    double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double way = double{inserted_.positions[3 * std::size_t{inserted} + k]} -
-                         double{base_.positions[3 * std::size_t{base} + k]};
-      sum += way * way;
-    }
-    return sum;
   }
 
   Coder& coder_;

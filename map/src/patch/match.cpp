@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/numbers/vec3.h"
 #include "lattice/positions.h"
 #include "patch/coder.h"
 #include "patch/color_match.h"

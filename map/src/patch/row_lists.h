@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/numbers/vec3.h"
+
 namespace deltamesh {
 
 inline constexpr std::uint32_t kNoRow = std::numeric_limits<std::uint32_t>::max();
@@ -42,12 +44,6 @@ class RowLists {
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> next_;
 };
-
-inline double squared_distance(const float* a, const float* b) noexcept {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += (double{a[k]} - b[k]) * (double{a[k]} - b[k]);
-  return sum;
-}
 
 /// Finds the vertex nearest to a place within a radius.
 class NearRows {

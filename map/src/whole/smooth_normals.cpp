@@ -3,13 +3,12 @@
 #include "deltamesh/map/smooth_normals.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 
 #include "base/guard.h"
+#include "base/numbers/vec3.h"
 #include "base/try.h"
 #include "lattice/positions.h"
 #include "support/errors.h"
@@ -17,21 +16,14 @@
 namespace deltamesh {
 namespace {
 
-using Vector = std::array<double, 3>;
 /// Twice its area long, of a face at a position.
-using Share = std::pair<PositionBits, Vector>;
+using Share = std::pair<PositionBits, Vec3>;
 
-Vector normal_of(const Mesh& mesh, const std::uint32_t* face) noexcept {
-  const auto edge = [&](std::size_t corner) {
-    Vector e{};
-    for (std::size_t k = 0; k < 3; ++k)
-      e[k] = static_cast<double>(mesh.positions[3 * std::size_t{face[corner]} + k]) -
-             static_cast<double>(mesh.positions[3 * std::size_t{face[0]} + k]);
-    return e;
+Vec3 normal_of(const Mesh& mesh, const std::uint32_t* face) noexcept {
+  const auto place = [&](std::size_t corner) {
+    return widen(mesh.positions.data() + 3 * std::size_t{face[corner]});
   };
-  const Vector a = edge(1);
-  const Vector b = edge(2);
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return cross(place(1) - place(0), place(2) - place(0));
 }
 
 /// Those at positions that `takes` accepts.
@@ -49,13 +41,12 @@ Result<void> add_shares(const Mesh& mesh, Takes takes, std::vector<Share>& share
 }
 
 /// Ascending: the sum is the same whichever part it is made for.
-Vector sum_of(std::span<const Share> shares) noexcept {
-  Vector sum{};
-  for (const auto& [position, normal] : shares)
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += normal[k];
-  const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-  if (!(length > 0)) return {0, 0, 1};
-  for (double& x : sum) x /= length;
+Vec3 sum_of(std::span<const Share> shares) noexcept {
+  Vec3 sum{};
+  for (const auto& [position, normal] : shares) sum = sum + normal;
+  const double size = length(sum);
+  if (!(size > 0)) return {0, 0, 1};
+  for (double& x : sum) x /= size;
   return sum;
 }
 

@@ -33,6 +33,12 @@ template <class Numbers>
 constexpr Vec3 widen(const Numbers& numbers) noexcept {
   return {static_cast<double>(numbers[0]), static_cast<double>(numbers[1]), static_cast<double>(numbers[2])};
 }
+/// Of two points, each as for widen().
+template <class A, class B>
+constexpr double squared_distance(const A& a, const B& b) noexcept {
+  const Vec3 way = widen(a) - widen(b);
+  return dot(way, way);
+}
 inline double length(const Vec3& a) noexcept { return std::sqrt(dot(a, a)); }
 
 /// Scales `v` to unit length and returns what it is multiplied by, above 0. 0 where it has no direction: then
