@@ -5,7 +5,7 @@ from logging import debug
 from coder import Coder, CountedBit, Fresh, Mixture, NumberModel, States, SymbolModel, bits, clamp
 from container import must, unzigzag
 from glue import CONN_8_faces
-from known import MAP_28_flag, MAP_28_fresh_flag, MAP_28_fresh_gone, MAP_28_fresh_sign, MAP_28_gone, MAP_28_sign, MAP_29_fresh_model, MAP_29_motion, NothingKnown
+from known import MAP_28_flag, MAP_28_fresh_flag, MAP_28_fresh_gone, MAP_28_fresh_sign, MAP_28_gone, MAP_28_sign, Moved, NothingKnown
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
@@ -222,13 +222,12 @@ class Surface:
 class Levels:
     """[GRD-9, GRD-10] Where vertices are on their edges: `rows`."""
     def __init__(self, coder, header, surface, states):
-        self.nodes, self.levels, self.rows, known, are_former = surface.nodes, header.levels, {}, surface.known, defaultdict(CountedBit)
-        former = {edge: 32 * (2 * level + 1) // self.levels - 32 for edge, level in known.levels.items()}  # [MAP-29]
-        self.cuts = {edge: cut for edge, cut in former.items() if known.kept[edge]}
+        self.nodes, self.levels, self.rows, known = surface.nodes, header.levels, {}, surface.known
         g = max(bits(self.levels - 1) - 4, 0)
-        symbols, fresh, mixing = ((self.levels - 1) >> g) + 1, Mixture(even_weights(16)), Mixture(even_weights(16)).weights
-        fresh.models = Fresh(GRD_10_fresh(symbols))
-        models, moved_models = states.models(("levels", self.levels), places=fresh).places, Fresh(MAP_29_fresh_model(symbols))
+        fresh = Mixture(even_weights(16))
+        fresh.models = Fresh(GRD_10_fresh(((self.levels - 1) >> g) + 1))
+        models, moved_levels = states.models(("levels", self.levels), places=fresh).places, Moved(known, self.levels, g)
+        self.cuts = {edge: cut for edge, cut in moved_levels.cuts.items() if known.kept[edge]}  # [MAP-29]
         def place(edge):
             (x, y, z), (bx, by, bz) = edge[1], brick_of(edge[1])
             return bz, by, bx, z, y, edge[0], x
@@ -236,16 +235,10 @@ class Levels:
             level = known.levels.get((k, r), 0)
             if self.levels > 1 and not known.kept.get((k, r)):  # [MAP-29]
                 mixed, weights = models.of(*self.GRD_10_contexts(k, r))
-                before = self.levels - 1 - level if self.nodes[r] else level
                 is_known = (k, r) in known.levels
-                if is_known:
-                    motion = MAP_29_motion(self.cuts, former, k, r)
-                    mixed, weights = [moved_models[9 * (before >> g) + motion], mixed[1]], mixing[motion]
-                level = coder.symbol(mixed, weights)
-                if g and is_known and level == before >> g and are_former[motion].decode(coder):
-                    level = before
-                elif g:
-                    level = level << g | coder.raw(g)
+                symbol, level = moved_levels.decode(coder, (k, r), self.nodes[r], self.cuts, mixed[1]) if is_known else (coder.symbol(mixed, weights), None)
+                if level is None:
+                    level = symbol << g | coder.raw(g) if g else symbol
                 must(level < self.levels, "GRD-9", f"level {level}")
                 level = self.levels - 1 - level if self.nodes[r] else level
             self.cuts[k, r] = 32 * (2 * level + 1) // self.levels - 32

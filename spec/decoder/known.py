@@ -2,7 +2,7 @@
 import math
 from collections import defaultdict
 
-from coder import CountedBit, SymbolModel, clamp
+from coder import CountedBit, Fresh, Mixture, SymbolModel, clamp
 from container import must
 
 CORNERS = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
@@ -117,10 +117,6 @@ def MAP_28_gone(known, nodes, own):
         return any(nodes[node] != known.states[node] for node in own) + (known.kinds[own[0]] & 2)
     return None
 
-def MAP_29_fresh_model(symbols):
-    """Models by their numbers: most likely are former levels."""
-    return lambda number: SymbolModel([max(32 >> 2 * abs(s - number // 9), 1) if s < symbols else 0 for s in range(16)])
-
 def MAP_29_motion(cuts, former, k, r):
     """How many of the twelve cuts around have moved, and how many have not, as one number."""
     def at(axis, node):
@@ -133,3 +129,23 @@ def MAP_29_motion(cuts, former, k, r):
             pairs += [at(axis, end), at(axis, plus(end, down))]
     moved = [now != before for now, before in pairs if now is not None and before is not None]
     return 3 * min(sum(moved), 2) + min(len(moved) - sum(moved), 2)
+
+class Moved:
+    """[MAP-29] Levels of vertices that have former ones; symbols are levels without the lowest g bits."""
+    def __init__(self, known, levels, g):
+        self.known, self.levels, self.g = known, levels, g
+        self.cuts = {edge: 32 * (2 * level + 1) // levels - 32 for edge, level in known.levels.items()}
+        self.models, self.weights = Fresh(self.fresh), Mixture([1]).weights
+        self.is_former = defaultdict(CountedBit)
+
+    def fresh(self, number):
+        symbols = ((self.levels - 1) >> self.g) + 1
+        return SymbolModel([max(32 >> 2 * abs(s - number // 9), 1) if s < symbols else 0 for s in range(16)])
+
+    def decode(self, coder, edge, state, cuts, second):
+        """Symbol, and the level of an edge whose first node has this state if it is the former one; else None."""
+        former = self.levels - 1 - self.known.levels[edge] if state else self.known.levels[edge]
+        i = MAP_29_motion(cuts, self.cuts, *edge)
+        symbol = coder.symbol([self.models[9 * (former >> self.g) + i], second], self.weights[i])
+        is_former = self.g and symbol == former >> self.g and self.is_former[i].decode(coder)
+        return symbol, former if is_former else None

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// patched_parts FOLDER: writes what a receiver has of a generated drive after a few updates: `map`, the map's
-// message, and of every part `L_X_Y_Z`, its octets, and `L_X_Y_Z.mesh`, the numbers of its vertices and
-// faces, positions, faces, and colours.
+// patched_parts FOLDER VOXELS: writes what a receiver has of a generated drive after a few updates, at a
+// largest error of so many voxels: `map`, the map's message, and of every part `L_X_Y_Z`, its octets, and
+// `L_X_Y_Z.mesh`, the numbers of its vertices and faces, positions, faces, and colours.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -75,10 +75,10 @@ void write(const std::string& path, const MapPart& part, std::span<const std::by
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return EXIT_FAILURE;
+  if (argc != 3) return EXIT_FAILURE;
   const std::string folder = argv[1];
   Drive drive = check(Drive::make(4000, 1));
-  const double max_error = 0.05 * drive.voxel();
+  const double max_error = std::atof(argv[2]) * drive.voxel();
   std::optional<MapSender> sender;
   MapReceiver receiver(1, 1);
   View view;

@@ -97,10 +97,10 @@ def compare(folder, joined):
     return count, "" if first == len(positions) else f"{first // 3} of {len(positions) // 3} faces"
 
 
-def patched_parts(program, folder):
+def patched_parts(program, folder, voxels):
     """How many parts of a map that changed have patches, and which part differs, or an empty text."""
     os.mkdir(folder)
-    subprocess.run([program, folder], check=True)
+    subprocess.run([program, folder, voxels], check=True)
     with open(os.path.join(folder, "map"), "rb") as file:
         described = Map(file.read())
     patched = 0
@@ -123,9 +123,10 @@ def main():
     program, patches, corpus = sys.argv[1], sys.argv[2], sys.argv[3:4]
     failed = parts = 0
     with tempfile.TemporaryDirectory() as work:
-        count, wrong = patched_parts(patches, os.path.join(work, "patched"))
-        failed += bool(wrong)
-        print(f"drive: {wrong or f'{count} parts with patches ok'}", flush=True)
+        for voxels in ("0.05", "0.01"):  # 10 levels, and 50, whose lowest bits are raw
+            count, wrong = patched_parts(patches, os.path.join(work, voxels), voxels)
+            failed += bool(wrong)
+            print(f"drive, {voxels} voxel: {wrong or f'{count} parts with patches ok'}", flush=True)
         made = []
         for scene, vertices, options in MAPS:
             made.append((os.path.join(work, f"{scene}{len(made)}" + (".glb" if scene == "cad" else ".ply")), options))
