@@ -4,13 +4,13 @@
 // Rows of equal length; equal ones can be found.
 #pragma once
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "stream/row_hash.h"
 
 namespace deltamesh::gltf {
 
@@ -42,7 +42,7 @@ class RowPool {
 
   /// The slot that has the row, or the free one where it belongs.
   std::size_t slot_of(std::span<const std::byte> row) const noexcept {
-    std::size_t slot = static_cast<std::size_t>(XXH3_64bits(row.data(), row.size())) & (slots_.size() - 1);
+    std::size_t slot = static_cast<std::size_t>(hash_bytes(row)) & (slots_.size() - 1);
     while (slots_[slot] != kFree && !std::ranges::equal(this->row(slots_[slot]), row))
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;

@@ -2,13 +2,12 @@
 // Copyright 2026 The deltamesh authors
 #include "stream/store.h"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "base/checked.h"
 #include "base/try.h"
+#include "stream/row_hash.h"
 
 namespace deltamesh::gltf {
 namespace {
@@ -19,8 +18,7 @@ constexpr std::uint64_t kMostStoredRows = std::uint64_t{1} << 29;
 
 std::uint64_t hash_of(const AccessorRows& rows) noexcept {
   std::uint64_t hash = rows.shape().count;
-  for (std::uint64_t i = 0; i < rows.shape().count; ++i)
-    hash = XXH3_64bits_withSeed(rows.row(i).data(), rows.row(i).size(), hash);
+  for (std::uint64_t i = 0; i < rows.shape().count; ++i) hash = hash_bytes(rows.row(i), hash);
   return hash;
 }
 
