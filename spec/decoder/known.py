@@ -143,7 +143,7 @@ class Moved:
         return SymbolModel([max(32 >> 2 * abs(s - number // 9), 1) if s < symbols else 0 for s in range(16)])
 
     def decode(self, coder, edge, state, cuts, second):
-        """Symbol, and the level of an edge whose first node has this state if it is the former one; else None."""
+        """The symbol for an edge whose first node has this state, and its level if that is the former one, else None."""
         former = self.levels - 1 - self.known.levels[edge] if state else self.known.levels[edge]
         i = MAP_29_motion(cuts, self.cuts, *edge)
         symbol = coder.symbol([self.models[9 * (former >> self.g) + i], second], self.weights[i])

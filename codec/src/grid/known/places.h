@@ -75,7 +75,7 @@ class KnownPlaces {
     return levels_[std::size_t{former} * kMotions + motion];
   }
   MixWeights& weights(unsigned motion) noexcept { return weights_[motion]; }
-  /// Of levels with the same symbol.
+  /// Whether a level is the former one, where both have the same symbol.
   CountedBit& is_same(unsigned motion) noexcept { return is_same_[motion]; }
 
  private:
