@@ -38,16 +38,16 @@ constexpr unsigned beyond(unsigned place) noexcept {
   return (carries >> 4 & 1) | (carries >> 8 & 2) | (carries >> 12 & 4);
 }
 
-/// Vertices on edges that begin at 4 x 4 x 2 nodes of a brick stand side by side, in a block.
-inline constexpr unsigned kBlockNodes = 32;
+/// Vertices on edges that begin at 4 x 2 x 2 nodes of a brick stand side by side, in a block.
+inline constexpr unsigned kBlockNodes = 16;
 inline constexpr std::size_t kBlocks = kPlaces / kBlockNodes;
 /// Nodes in the order of their blocks: the sum of these of x, y and z; 16 is 0, of the brick beyond.
 inline constexpr std::array<std::array<std::uint16_t, kSide + 1>, 3> kSlots = [] {
   std::array<std::array<std::uint16_t, kSide + 1>, 3> slots{};
   for (unsigned i = 0; i < kSide; ++i) {
     slots[0][i] = static_cast<std::uint16_t>(i % 4 + i / 4 * kBlockNodes);
-    slots[1][i] = static_cast<std::uint16_t>(i % 4 * 4 + i / 4 * 4 * kBlockNodes);
-    slots[2][i] = static_cast<std::uint16_t>(i % 2 * 16 + i / 2 * 16 * kBlockNodes);
+    slots[1][i] = static_cast<std::uint16_t>(i % 2 * 4 + i / 2 * 4 * kBlockNodes);
+    slots[2][i] = static_cast<std::uint16_t>(i % 2 * 8 + i / 2 * 32 * kBlockNodes);
   }
   return slots;
 }();

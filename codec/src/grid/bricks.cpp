@@ -72,7 +72,7 @@ void Bricks::make_room() {
     for (std::uint32_t i = 0; i < bricks_.size(); ++i) table_[slot_of(bricks_[i]->at)] = i + 1;
   }
   if (left_ == 0) {
-    constexpr std::size_t kMostAtOnce = 128;
+    constexpr std::size_t kMostAtOnce = (std::size_t{1} << 21) / sizeof(Brick);  // what a large page holds
     left_ = std::clamp<std::size_t>(bricks_.size(), 8, kMostAtOnce);
     memory_.emplace_back(left_);
   }

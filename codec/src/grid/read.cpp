@@ -103,13 +103,15 @@ Result<GridCells> read_cells(const GridChunks& chunks, const PredictiveParameter
   GridCells mesh;
   grid::Surface surface;
   if (!reader.failed()) {
-    limits.triangles -= size.triangles;
     // The usual share of a byte is far less; what comes beyond that moves.
     const auto likely = [bytes = surface_bytes.size()](std::size_t most) {
       return std::min(most / 16 + 1, bytes) * 16;
     };
+    // With those of the rest, which are added in the end.
     surface.triangles.reserve(likely(limits.triangles));
+    mesh.cells.reserve(likely(limits.vertices));
     surface.bricks.reserve(likely(limits.vertices));
+    limits.triangles -= size.triangles;
     const char* const rule = read_surface(reader, parameters, limits, models, known, surface, mesh.cells);
     if (rule != nullptr && !reader.failed()) return broken(rule);
   }

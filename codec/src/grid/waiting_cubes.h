@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "base/memory/large_vector.h"
 #include "grid/bricks.h"
@@ -73,7 +74,14 @@ class WaitingCubes {
  private:
   [[gnu::always_inline]] void make_room() {
     if (cubes_.size() - end_ < kFaces) [[unlikely]]
-      cubes_.resize(2 * cubes_.size() + 256);
+      move_to_front();
+  }
+  /// Those that were taken make room, and there is as much for others as they take.
+  [[gnu::noinline]] void move_to_front() {
+    std::copy(cubes_.begin() + static_cast<std::ptrdiff_t>(next_),
+              cubes_.begin() + static_cast<std::ptrdiff_t>(end_), cubes_.begin());
+    end_ -= std::exchange(next_, 0);
+    cubes_.resize(std::max(cubes_.size(), 2 * end_ + 256));
   }
 
   /// Number of a brick and place there.
