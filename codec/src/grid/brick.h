@@ -79,7 +79,7 @@ struct Brick {
   /// Known nodes: bit x + 3 is set if one is outside, bit x + 35 if it is inside.
   std::array<std::uint64_t, kReach * kReach> rows;
   /// kSeen, and how many cubes without faces share with it a face (times 8) or an edge (7 at most).
-  std::array<std::uint8_t, kPlaces> cubes;
+  std::uint8_t* cubes;  ///< by place; see Bricks::free_cubes()
   /// Edges with vertices: bit x + 16 axis, by y + 16 z.
   std::array<std::uint64_t, kSide * kSide> cut;
   std::array<std::uint32_t, kBlocks> blocks;  ///< numbers of those that have vertices, others 0

@@ -71,21 +71,17 @@ void Bricks::make_room() {
     table_.assign(size, 0);
     for (std::uint32_t i = 0; i < bricks_.size(); ++i) table_[slot_of(bricks_[i]->at)] = i + 1;
   }
-  if (left_ == 0) {
-    constexpr std::size_t kMostAtOnce = (std::size_t{1} << 21) / sizeof(Brick);  // what a large page holds
-    left_ = std::clamp<std::size_t>(bricks_.size(), 8, kMostAtOnce);
-    memory_.emplace_back(left_);
-  }
 }
 
 Brick& Bricks::get(const Place& at) {
   if (Brick* const found = find(at)) return *found;
   make_room();
-  Brick& brick = memory_.back()[memory_.back().size() - left_--];
+  Brick& brick = memory_.take();
   brick.at = at;
   brick.number = count();
   brick.rows.fill(0);
-  brick.cubes.fill(0);
+  brick.cubes = cubes_.take().data();
+  std::memset(brick.cubes, 0, kPlaces);
   brick.cut.fill(0);
   brick.blocks.fill(0);
   table_[slot_of(at)] = brick.number + 1;

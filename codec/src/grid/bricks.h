@@ -14,6 +14,7 @@
 #include "base/memory/large_vector.h"
 #include "grid/brick.h"
 #include "grid/cube/cube.h"
+#include "grid/pieces.h"
 
 namespace deltamesh::grid {
 
@@ -130,6 +131,9 @@ class Bricks {
     return vertices_[std::size_t{brick.blocks[slot / kBlockNodes]} * kBlockNodes + slot % kBlockNodes][axis];
   }
 
+  /// Of all bricks, for which there is no further use.
+  void free_cubes() noexcept { cubes_.free(); }
+
   /// By place: lowest z first, then y, then x.
   std::vector<Brick*> in_order() const;
 
@@ -143,8 +147,8 @@ class Bricks {
 
   std::vector<Brick*> bricks_;
   std::vector<std::uint32_t> table_;  ///< by hash of the place: number of a brick plus 1, or 0
-  std::vector<LargeVector<Brick>> memory_;
-  std::size_t left_ = 0;  ///< bricks in the last piece of it
+  Pieces<Brick> memory_;
+  Pieces<std::array<std::uint8_t, kPlaces>> cubes_;
   LargeVector<std::array<std::uint32_t, 3>> vertices_;
   std::uint32_t block_count_ = 1;  ///< of those that are in use; number 0 is none
 };

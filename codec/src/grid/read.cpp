@@ -51,6 +51,7 @@ const char* read_surface(CompactReader& reader, const PredictiveParameters& para
   grid::KnownGrowth known_growth(known);
   const char* rule = grid::Growth(reader, models.growth, NoSource{}, limits, surface, known_growth).grow();
   if (rule != nullptr || reader.failed()) return rule;
+  surface.bricks.free_cubes();
   cells.resize(surface.vertex_count);
   const auto known_places =
       std::make_unique<grid::KnownPlaces>(known, grid::PlaceModels::symbols(parameters.levels));
