@@ -4,6 +4,8 @@
 // map_seeds FOLDER: writes the seeds of maps' fuzz targets, of the present draft, below FOLDER (fuzz/corpus):
 // every kind of message, a receiver's talk with a sender, a map's message with primers, and parts by both
 // coders and as patches.
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -17,6 +19,7 @@
 #include "map/map_world.h"
 #include "seeds.h"
 #include "targets/map/map_part_codec.h"
+#include "unit/grid/grid_meshes.h"
 
 namespace {
 
@@ -110,8 +113,37 @@ void write_parts(const std::string& folder) {
   }
 }
 
-/// A part of the same map whose newer version is a patch.
-void write_patched(const std::string& folder) {
+/// Waves, higher each time where x and y are.
+Mesh waves_at(int time) {
+  Mesh mesh = fuzz::waves(24);
+  for (std::size_t i = 2; i < mesh.positions.size(); i += 3)
+    if (mesh.positions[i - 2] > 0.1F && mesh.positions[i - 1] > 0.2F)
+      mesh.positions[i] += 0.006F * static_cast<float>(time);
+  return mesh;
+}
+
+/// Voxels of 0.02, a ball on a slope that rolls.
+Mesh voxels_at(int time) {
+  const auto field = [&](int x, int y, int z) {
+    const float way[3] = {static_cast<float>(x) - 9 - static_cast<float>(time), static_cast<float>(y) - 9.3F,
+                          static_cast<float>(z) - 8.6F};
+    const float ball = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]) - 5.2F;
+    return std::min(ball, static_cast<float>(z) - 4.1F - 0.1F * static_cast<float>(x));
+  };
+  const scenes::Surface surface = test::marched(field, 20);
+  Mesh mesh;
+  Attribute color{AttributeKind::kColor, ComponentType::kU8, 3, true, "red", {}};
+  for (const float x : surface.positions) {
+    mesh.positions.push_back(0.02F * x);
+    color.values.push_back(static_cast<std::byte>(8 * x + static_cast<float>(time)));
+  }
+  mesh.triangles = surface.triangles;
+  mesh.attributes.push_back(color);
+  return mesh;
+}
+
+/// Parts of the same map whose newer versions are patches.
+void write_patched(const std::string& folder, const std::string& name, Mesh (*mesh_at)(int)) {
   MapDescription description = fuzz::make_codec().description();
   SenderOptions options;
   options.effort = 0;
@@ -119,24 +151,23 @@ void write_patched(const std::string& folder) {
   MapSender sender = check(MapSender::make(description, options));
   MapReceiver receiver(1, description.id);
   receiver.set_view({.max_error = 0.002F, .color_error = 4.0F});
-  Mesh mesh = fuzz::waves(24);
-  for (double now = 1; now < 4; ++now) {
-    const std::vector<MapBlock> blocks = {{{0, 0, 0}, mesh}};
+  for (int time = 0; time < 3; ++time) {
+    const std::vector<MapBlock> blocks = {{{0, 0, 0}, mesh_at(time)}};
     if (!sender.update(blocks)) std::abort();
-    for (int round = 0; round < 2; ++round) {
-      if (!sender.hear(check(receiver.view_message()), now + 0.4 * round)) std::abort();
-      for (const Bytes& message : check(sender.messages_for(1, now + 0.4 * round)))
+    for (const double now : {time + 1.0, time + 1.4}) {
+      if (!sender.hear(check(receiver.view_message()), now)) std::abort();
+      for (const Bytes& message : check(sender.messages_for(1, now)))
         if (!receiver.apply(message)) std::abort();
     }
-    for (std::size_t i = 2; i < mesh.positions.size(); i += 3)
-      if (mesh.positions[i - 2] > 0.1F && mesh.positions[i - 1] > 0.2F) mesh.positions[i] += 0.006F;
   }
   int number = 0;
+  const std::vector<MapPart> parts = fuzz::make_parts(description);
   for (const HeldPart& held : receiver.held()) {
-    if (held.octets.front() != std::byte{4}) continue;  // [MAP-17]
-    Bytes seed = {std::byte{0}};
+    const auto place = std::ranges::find(parts, held.entry.key, &MapPart::key);
+    if (held.octets.front() != std::byte{4} || place == parts.end()) continue;  // [MAP-17]
+    Bytes seed = {static_cast<std::byte>(place - parts.begin())};
     seed.insert(seed.end(), held.octets.begin(), held.octets.end());
-    write(folder + "/map_part/patched_" + std::to_string(number++), seed);
+    write(folder + "/map_part/" + name + "_" + std::to_string(number++), seed);
     if (number == 2) break;
   }
   if (number == 0) std::abort();
@@ -148,5 +179,6 @@ int main(int argc, char** argv) {
   if (argc != 2) return EXIT_FAILURE;
   write_talk(argv[1]);
   write_parts(argv[1]);
-  write_patched(argv[1]);
+  write_patched(argv[1], "patched", waves_at);
+  write_patched(argv[1], "beside", voxels_at);
 }

@@ -4,6 +4,8 @@
 // The coded border of a part.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "entropy/coder/writer.h"
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
@@ -49,6 +51,30 @@ TEST(MapBorder, MAP11RoundTrip) {
   }
   EXPECT_TRUE(write_border(mesh, view_of(mesh, false), {}, {}, {}).empty());
   EXPECT_TRUE(read_border({}, mesh, view_of(mesh, false), {&kFresh})->empty());
+}
+
+/// Every third vertex is of the base's border, of which every second has another point now; of the others
+/// every second has not moved, and some are new on the border.
+TEST(MapBorder, MAP11BesideABaseWhatIsUnmovedTakesLittle) {
+  Mesh mesh = test::wavy_sheet(40, 30, 1, 0);
+  const auto base = every_third(mesh, 900);
+  BorderView view = view_of(mesh, false);
+  view.base_border = base;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+    view.former.push_back(v % 3 == 0 ? v / 3 : v % 2 == 0 ? BorderView::kUnmoved : BorderView::kMoved);
+  const auto bytes_of = [&](const std::vector<BorderVertex>& border, const BorderView& seen) {
+    const auto bytes = write_border(mesh, seen, border, {}, {});
+    const auto back = read_border(bytes, mesh, seen, {&kFresh});
+    EXPECT_TRUE(back && *back == border);
+    return bytes.size();
+  };
+  EXPECT_LT(10 * bytes_of(base, view), bytes_of(base, view_of(mesh, false)));
+  auto other = base;
+  for (std::size_t i = 0; i < other.size(); i += 2) other[i].point[1] += 5;
+  for (std::size_t i = 1; i < other.size(); i += 4) other[i].twin += 1;
+  for (std::uint32_t v = 1; v < mesh.vertex_count(); v += 30) other.push_back({v, base.front().point, 0});
+  std::ranges::sort(other, {}, &BorderVertex::vertex);
+  bytes_of(other, view);
 }
 
 TEST(MapBorder, MAP11RefusesABorderOfNothingAndPointsBeyondTheLattice) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a decoder has already of the surface that a stream adds to.
+// What a decoder has already that a stream is like.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,10 @@
 namespace deltamesh {
 
 /// A mesh that encoder and decoder have, such as the version of a map's part before the present one. Streams
-/// of grids take fewer bytes beside it. Some of its faces stay next to those of the stream.
+/// of grids take fewer bytes beside it.
 struct KnownMesh {
   std::span<const float> positions;          ///< n x 3, finite
   std::span<const std::uint32_t> triangles;  ///< m x 3, below n
-  std::span<const std::uint8_t> stays;       ///< m: 1 or 0
   /// Those of the stream, in its order, with n values each; or none. Colours within a bound on each vertex
   /// take fewer bytes beside them.
   std::span<const Attribute> attributes{};

@@ -49,11 +49,12 @@ class AttributeSurface {
     while (end < vertex_count_ && geometric_of(end) == geometric_of(vertex)) ++end;
     return end;
   }
-  /// `known`: of the geometric vertices what is on the same edge, or empty; must outlive the surface.
-  void set_known(std::span<const KnownVertex> known) noexcept { known_ = known; }
+  /// `known`: for the geometric vertices the known one on the same edge, or kNoKnownVertex; or empty. Must
+  /// outlive the surface.
+  void set_known(std::span<const std::uint32_t> known) noexcept { known_ = known; }
   bool has_known() const noexcept { return !known_.empty(); }
   /// Precondition: has_known().
-  const KnownVertex& known_of(std::uint32_t vertex) const noexcept { return known_[geometric_of(vertex)]; }
+  std::uint32_t known_of(std::uint32_t vertex) const noexcept { return known_[geometric_of(vertex)]; }
   bool has_positions() const noexcept { return !positions_.empty(); }
   /// n x 3, or empty.
   std::span<const float> positions() const noexcept { return positions_; }
@@ -100,7 +101,7 @@ class AttributeSurface {
   std::uint32_t vertex_count_;
   std::span<const std::uint32_t> geometric_;
   std::span<const float> positions_;
-  std::span<const KnownVertex> known_;
+  std::span<const std::uint32_t> known_;
   const LargeVector<DirectedEdge>* open_edges_;
   mutable std::optional<Adjacency> graph_;
   mutable std::optional<VertexCorners> corners_;

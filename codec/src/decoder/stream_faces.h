@@ -25,7 +25,7 @@ struct StreamFaces {
   LargeVector<DirectedEdge> open_edges;  ///< of the geometric faces; empty in the plain form and of a grid
   VertexRuns runs;                       ///< of the geometric vertices; likewise
   std::vector<float> grid_positions;     ///< n x 3, of a grid's geometric vertices; else empty
-  std::vector<KnownVertex> known;        ///< n, likewise, beside a known mesh; else empty
+  std::vector<std::uint32_t> known;      ///< n, likewise, beside a known mesh; else empty
 
   bool is_split() const noexcept { return !copies.empty(); }
   /// m x 3, over the geometric vertices.

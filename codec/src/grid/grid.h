@@ -46,7 +46,7 @@ struct CodedGrid {
   std::vector<std::uint32_t> face_order;  ///< m: input face of every coded face
   std::vector<std::uint8_t> face_rotation;  ///< m: which corner of the input face is the coded one's corner 0
   std::uint32_t rest_triangles = 0;         ///< of `triangles`, the last ones: those in no cube
-  std::vector<KnownVertex> known;           ///< n, as GridMesh::known
+  std::vector<std::uint32_t> known;         ///< n, as GridMesh::known
 };
 
 /// `triangles`: m x 3; `cells`: of its n vertices, on the lattice of `parameters`, which are of
@@ -60,7 +60,7 @@ std::optional<CodedGrid> write_grid(std::span<const std::uint32_t> triangles, st
 struct GridMesh {
   std::vector<std::uint32_t> triangles;  ///< m x 3
   std::vector<float> positions;          ///< n x 3
-  std::vector<KnownVertex> known;  ///< n: what is known at each vertex [MAP-30]; empty without a known mesh
+  std::vector<std::uint32_t> known;  ///< n: what is known at each vertex [MAP-30]; empty without a known mesh
 };
 
 /// What write_grid() wrote beside `known`, of `vertices` and `triangles` in number. Errors: kTruncated,

@@ -108,8 +108,8 @@ class Growth {
                                               const Corners& corners) {
     if constexpr (Coder::kWrites) cube_ = source_.find(brick.at, place);
     const Signs signs = corners.known() == 255 ? corners.outside : code_signs(coder, brick, place, corners);
-    const ListedPattern* const gone = code_gone(coder, brick, place, signs);
-    const ListedPattern& pattern = gone != nullptr ? *gone : code_pattern(coder, signs);
+    const ListedPattern* const former = code_former(coder, brick, place, signs);
+    const ListedPattern& pattern = former != nullptr ? *former : code_pattern(coder, signs);
     if constexpr (Coder::kWrites) surface_.cubes.push_back(cube_);
     surface_.add_faces(brick, place, pattern);
     if (pattern.pattern.has_inner()) [[unlikely]]
@@ -119,17 +119,17 @@ class Growth {
     waiting_.add_across(brick, place, kCrossedFaces[signs]);
   }
 
-  /// Null if the pattern is another than that of known faces that go [MAP-28].
-  [[gnu::always_inline]] const ListedPattern* code_gone(Coder& coder, const Brick& brick, unsigned place,
-                                                        Signs signs) {
-    const auto gone = known_.gone(brick, place, signs);
-    if (gone.pattern == nullptr) [[likely]]
+  /// Null if the pattern is another than the former one [MAP-28].
+  [[gnu::always_inline]] const ListedPattern* code_former(Coder& coder, const Brick& brick, unsigned place,
+                                                          Signs signs) {
+    const auto former = known_.former(brick, place, signs);
+    if (former.pattern == nullptr) [[likely]]
       return nullptr;
     bool is_it = false;
-    if constexpr (Coder::kWrites) is_it = source_.pattern(cube_) == *gone.pattern;
-    if (!coder.bit(is_it, *gone.model)) return nullptr;
-    gone_ = ListedPattern(*gone.pattern);
-    return &gone_;
+    if constexpr (Coder::kWrites) is_it = source_.pattern(cube_) == *former.pattern;
+    if (!coder.bit(is_it, *former.model)) return nullptr;
+    former_ = ListedPattern(*former.pattern);
+    return &former_;
   }
 
   /// Those of the corners that are not known [GRD-4].
@@ -219,7 +219,7 @@ class Growth {
   const Limits& limits_;
   Surface& surface_;
   KnownGrowth& known_;
-  ListedPattern gone_;
+  ListedPattern former_;
   const char* broken_ = nullptr;
   WaitingCubes waiting_{surface_.bricks};
   std::uint32_t seed_brick_ = 0;

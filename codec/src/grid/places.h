@@ -85,7 +85,7 @@ class PlaceCoder {
     for (const Brick* const brick : surface_.bricks.in_order()) {
       if (!has_cuts(*brick)) continue;
       window->load(*brick, surface_.bricks, places_);
-      known_.load(*brick, *window);
+      known_.load(*brick);
       code_brick(*brick, *window, cells);
       if (coder_.failed() || is_beyond_) break;
     }
@@ -153,9 +153,7 @@ class PlaceCoder {
     std::int32_t level = 0;
     if constexpr (Coder::kWrites) level = cells[vertex][kAxis] % (2 * levels_) / 2;
     const KnownEdge* const known = known_.find(row.y, row.z, static_cast<unsigned>(x), slot, kAxis);
-    if (known != nullptr && known->stays) {
-      level = static_cast<std::int32_t>(known->level);
-    } else if (levels_ > 1) {
+    if (levels_ > 1) {
       const PlaceSurroundings<kAxis> around(window, index);
       // -1 if the edge is seen from its other end.
       const std::int32_t turned = around.is_outside();

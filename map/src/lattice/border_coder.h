@@ -14,6 +14,7 @@
 
 #include "base/numbers/zigzag.h"
 #include "deltamesh/map/part.h"
+#include "entropy/coder/counted_bit.h"
 #include "entropy/coder/number_model.h"
 #include "lattice/border_colors.h"
 #include "support/open_edges.h"
@@ -22,10 +23,17 @@ namespace deltamesh {
 
 /// The decoded mesh as the coder uses it.
 struct BorderView {
+  static constexpr std::uint32_t kMoved = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kUnmoved = kMoved - 1;
+
   std::vector<LatticePoint> nearest;  ///< to every vertex
   /// Bit a is set where the coordinate of axis a is on no plane of voxels, as far as is known.
   std::vector<std::uint8_t> loose;
   bool follows = false;  ///< ways to the points are expected to be those of neighbours
+  /// Beside a base, for every vertex: kMoved, or, where it is at the place of a vertex of the base, kUnmoved
+  /// or the place of that one in the base's border. Else empty.
+  std::vector<std::uint32_t> former{};
+  std::span<const BorderVertex> base_border{};
 };
 
 /// Adaptive models of the coder.
@@ -34,15 +42,21 @@ struct BorderModels {
   BorderModels() {
     flags.fill(BitModel(1U << 15));
     flags[0] = BitModel(1U << 8);  // hardly ever inside
+    inside_flags.fill(CountedBit(2048));
+    inside_flags[0] = CountedBit(256);
   }
 
   void limit_counts(std::uint8_t most) noexcept {
+    is_former.limit_count(most);
+    for (CountedBit& flag : inside_flags) flag.limit_count(most);
     twins.length.limit_count(most);
     for (NumberModel& model : ways) model.length.limit_count(most);
     colors.limit_counts(most);
   }
 
   std::array<BitModel, kPlaces> flags;
+  CountedBit is_former{64000};                   ///< of unmoved vertices of the base's border
+  std::array<CountedBit, kPlaces> inside_flags;  ///< of others that have not moved
   NumberModel twins;
   std::array<NumberModel, 6> ways;  ///< by looseness and axis
   BorderColorModels colors;
@@ -60,8 +74,19 @@ class BorderCoder {
   /// from place `next`, which moves on. False where a point is beyond the lattice.
   bool code(std::uint32_t vertex, std::vector<BorderVertex>& border, std::size_t& next) {
     const auto [context, before] = look_around(vertex);
-    const bool is_border = coder_.bit(Coder::kWrites && next < border.size() && border[next].vertex == vertex,
-                                      models_.flags[context]);
+    bool is_border = Coder::kWrites && next < border.size() && border[next].vertex == vertex;
+    const std::uint32_t former = view_.former.empty() ? BorderView::kMoved : view_.former[vertex];
+    if (former < view_.base_border.size()) {
+      BorderVertex same = view_.base_border[former];
+      same.vertex = vertex;
+      if (coder_.bit(is_border && border[next] == same, models_.is_former)) {
+        if constexpr (!Coder::kWrites) border.push_back(same);
+        places_[vertex] = static_cast<std::uint32_t>(next++);
+        return true;
+      }
+    }
+    is_border = former == BorderView::kUnmoved ? coder_.bit(is_border, models_.inside_flags[context])
+                                               : coder_.bit(is_border, models_.flags[context]);
     if (!is_border) return true;
     if constexpr (!Coder::kWrites) border.push_back({.vertex = vertex, .point = {}, .twin = 0});
     BorderVertex& coded = border[next];

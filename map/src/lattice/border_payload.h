@@ -16,9 +16,10 @@
 
 namespace deltamesh {
 
-/// `stream`: what `mesh` was decoded from. Errors: those of Container::open().
-Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& mesh,
-                               const MapLattice& lattice);
+/// `stream`: what `mesh` was decoded from. `base`: what the part is coded beside, or null; must outlive the
+/// view. Errors: those of Container::open().
+Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& mesh, const MapLattice& lattice,
+                               const MapPart* base = nullptr);
 
 /// The source's colours of one attribute at the border [MAP-24].
 struct BorderColors {

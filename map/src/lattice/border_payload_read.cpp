@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 #include "base/try.h"
 #include "entropy/coder/reader.h"
@@ -10,6 +11,8 @@
 #include "format/header_fields.h"
 #include "lattice/border_payload.h"
 #include "lattice/border_payload_colors.h"
+#include "lattice/place_border.h"
+#include "lattice/positions.h"
 
 namespace deltamesh {
 namespace {
@@ -40,10 +43,28 @@ std::uint8_t loose_axes(const float* position, const PositionLattice& lattice) n
   return loose;
 }
 
+/// BorderView::former: unmoved vertices have the bits of a position of the base, of the first vertex there.
+std::vector<std::uint32_t> former_of(const Mesh& mesh, const MapPart& base) {
+  std::vector<std::uint32_t> in_border(base.mesh.vertex_count(), BorderView::kUnmoved);
+  for (std::size_t i = 0; i < base.border.size(); ++i)
+    in_border[base.border[i].vertex] = static_cast<std::uint32_t>(i);
+  std::unordered_map<PositionBits, std::uint32_t, PositionHash> known;
+  const std::vector<float> positions = streamed_positions(base);
+  for (std::size_t v = 0; v < in_border.size(); ++v)
+    known.try_emplace(position_bits(&positions[3 * v]), in_border[v]);
+  std::vector<std::uint32_t> former;
+  former.reserve(mesh.vertex_count());
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const auto found = known.find(bits_of(mesh, v));
+    former.push_back(found != known.end() ? found->second : BorderView::kMoved);
+  }
+  return former;
+}
+
 }  // namespace
 
-Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& mesh,
-                               const MapLattice& lattice) {
+Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& mesh, const MapLattice& lattice,
+                               const MapPart* base) {
   DELTAMESH_TRY(const Container container, Container::open(stream));
   const Geometry geometry = geometry_of(container.header());
   BorderView view{.nearest = {}, .loose = {}, .follows = geometry == Geometry::kHighpass};
@@ -53,6 +74,10 @@ Result<BorderView> view_border(std::span<const std::byte> stream, const Mesh& me
     view.loose.push_back(geometry == Geometry::kVoxel
                              ? loose_axes(position, container.header().predictive.lattice)
                              : kAllLoose);
+  }
+  if (base != nullptr) {
+    view.former = former_of(mesh, *base);
+    view.base_border = base->border;
   }
   return view;
 }

@@ -53,6 +53,22 @@ std::vector<Vec3> ways_of(const Mesh& mesh, const Weld& weld, std::span<const Bo
 
 }  // namespace
 
+std::vector<float> positions_of(const Mesh& mesh, std::span<const BorderVertex> border) {
+  std::vector<float> positions;
+  positions.reserve(3 * border.size());
+  for (const BorderVertex& vertex : border)
+    for (std::size_t k = 0; k < 3; ++k)
+      positions.push_back(mesh.positions[3 * std::size_t{vertex.vertex} + k]);
+  return positions;
+}
+
+std::vector<float> streamed_positions(const MapPart& part) {
+  std::vector<float> positions = part.mesh.positions;
+  for (std::size_t i = 0; i < part.streamed_border.size(); ++i)
+    positions[3 * std::size_t{part.border[i / 3].vertex} + i % 3] = part.streamed_border[i];
+  return positions;
+}
+
 void place_border(Mesh& mesh, std::span<const BorderVertex> border, const MapLattice& lattice, bool spreads) {
   if (spreads && !border.empty()) {
     const std::vector<std::uint8_t> all(mesh.vertex_count(), 1);

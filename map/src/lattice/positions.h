@@ -16,10 +16,12 @@ namespace deltamesh {
 
 using PositionBits = std::array<std::uint32_t, 3>;
 
-inline PositionBits bits_of(const Mesh& mesh, std::size_t vertex) noexcept {
-  const float* p = mesh.positions.data() + 3 * vertex;
+inline PositionBits position_bits(const float* p) noexcept {
   return {std::bit_cast<std::uint32_t>(p[0]), std::bit_cast<std::uint32_t>(p[1]),
           std::bit_cast<std::uint32_t>(p[2])};
+}
+inline PositionBits bits_of(const Mesh& mesh, std::size_t vertex) noexcept {
+  return position_bits(mesh.positions.data() + 3 * vertex);
 }
 
 inline LatticePoint point_of(const PositionBits& bits, const MapLattice& lattice) noexcept {

@@ -11,6 +11,7 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/encode.h"
+#include "deltamesh/known_mesh.h"
 #include "lattice/border_order.h"
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
@@ -73,15 +74,19 @@ struct PartCandidate {
 class PartEncoder {
  public:
   PartEncoder(const MapCodec::State& state, const MapPart& part, const PartQuality& quality,
-              const JoinedTo* joined)
+              const PartUse& use)
       : state_(state),
         part_(part),
         quality_(quality),
-        joined_(joined),
+        use_(use),
         measure_(part.mesh),
         rounded_(with_border_colors(part, quality.attributes)),
         source_(rounded_) {
     source_.origin = {};  // which all parts share
+    if (use.base != nullptr) {
+      known_positions_ = streamed_positions(*use.base);
+      known_ = {known_positions_, use.base->mesh.triangles, use.base->mesh.attributes};
+    }
     bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal(),
                                     measure_.diagonal());
   }
@@ -90,7 +95,7 @@ class PartEncoder {
   /// have to be better than asked.
   Result<DecodedPart> run() {
     EncodeOptions options = options_for(quality_);
-    options.known = known();
+    options.known = known_ ? &*known_ : nullptr;
     Bracket bracket({.first = 1,
                      .least = kFinestShare,
                      .most = 1,
@@ -139,10 +144,11 @@ class PartEncoder {
   /// `primer`: which one `encoded` is, if any. No bytes where the border is not the primer's.
   Result<PartCandidate> finish(Encoded encoded, std::optional<std::size_t> primer) {
     const CodecModels& models = primer ? state_.models[*primer] : state_.models.back();
-    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start(), .known = known()}));
+    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start(),
+                                                       .known = known_ ? &*known_ : nullptr}));
     auto border = border_in_order(part_, encoded.order);
     const MapLattice& lattice = state_.description.lattice;
-    DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice));
+    DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice, use_.base));
     const auto payload = write_border(decoded, view, border, models.border,
                                       border_colors(part_.mesh, border, encoded.order, quality_.attributes));
     PartCandidate candidate;
@@ -153,6 +159,7 @@ class PartEncoder {
     } else {
       DELTAMESH_TRY(candidate.result.coded.bytes, write_part(place, encoded.bytes, payload));
     }
+    auto streamed_border = positions_of(decoded, border);
     place_border(decoded, border, lattice, view.follows);
     candidate.result.coded.quality = measure(decoded, encoded.order);
     candidate.load = bounds_.load(candidate.result.coded.quality);
@@ -163,21 +170,20 @@ class PartEncoder {
               : encoded.report.stream.attributes[i].error);
     candidate.result.coded.color_rms = color_rms(part_.mesh, decoded, encoded.order);
     decoded.origin = lattice.origin;
-    candidate.result.part = {part_.key, std::move(decoded), std::move(border)};
+    candidate.result.part = {part_.key, std::move(decoded), std::move(border), std::move(streamed_border)};
     candidate.result.order = std::move(encoded.order);
+    candidate.result.is_grid = encoded.report.stream.geometry == "grid";
     return candidate;
   }
 
   Quality measure(const Mesh& decoded, std::span<const std::uint32_t> order) const {
-    if (joined_ == nullptr) return measure_.compare(decoded.positions, order);
+    if (use_.is_joined.empty()) return measure_.compare(decoded.positions, order);
     std::vector<float> positions = decoded.positions;
     for (std::size_t v = 0; v < order.size(); ++v)
-      for (std::size_t k = 0; joined_->is_joined[order[v]] != 0 && k < 3; ++k)
+      for (std::size_t k = 0; use_.is_joined[order[v]] != 0 && k < 3; ++k)
         positions[3 * v + k] = part_.mesh.positions[3 * std::size_t{order[v]} + k];
     return measure_.compare(positions, order);
   }
-
-  const KnownMesh* known() const noexcept { return joined_ != nullptr ? &joined_->mesh : nullptr; }
 
   static QualityRequest scaled(QualityRequest request, double share) noexcept {
     for (auto* bound : {&request.vde, &request.lfe, &request.max_error})
@@ -188,7 +194,9 @@ class PartEncoder {
   const MapCodec::State& state_;
   const MapPart& part_;
   const PartQuality& quality_;
-  const JoinedTo* joined_;
+  const PartUse& use_;
+  std::vector<float> known_positions_;
+  std::optional<KnownMesh> known_;
   PartMeasure measure_;
   Mesh rounded_;
   MeshView source_;
@@ -216,12 +224,12 @@ Result<MapPrimer> make_primer(const MapCodec& codec, const MapPart& part, const 
 }
 
 Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part, const PartQuality& quality,
-                                const JoinedTo* joined) {
+                                const PartUse& use) {
   if (quality.bounds.target_bytes)
     return Error{.code = ErrorCode::kInvalidArgument,
                  .message = "a part cannot be asked for a number of bytes"};
   DELTAMESH_CHECK(check_part(part, state.description));
-  DELTAMESH_TRY(DecodedPart result, PartEncoder(state, part, quality, joined).run());
+  DELTAMESH_TRY(DecodedPart result, PartEncoder(state, part, quality, use).run());
   if (result.coded.bytes.size() > kMostPartBytes)
     return Error{.code = ErrorCode::kLimitExceeded,
                  .message = "a part of more than 65536 bytes; split the map into smaller ones",

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "deltamesh/known_mesh.h"
 #include "deltamesh/map/part.h"
 #include "deltamesh/map/part_quality.h"
 #include "deltamesh/result.h"
@@ -20,17 +19,19 @@ struct DecodedPart {
   CodedPart coded;
   MapPart part;                      ///< as MapCodec::decode() gives it
   std::vector<std::uint32_t> order;  ///< the source's vertex for each of its vertices
+  bool is_grid = false;              ///< its stream has faces in cubes
 };
 
-/// What the part is added to.
-struct JoinedTo {
-  KnownMesh mesh;                           ///< the base [MAP-17]
-  std::span<const std::uint8_t> is_joined;  ///< 1 for vertices of the part that are vertices of that, else 0
+/// What a part is made for [MAP-17].
+struct PartUse {
+  const MapPart* base = nullptr;  ///< decoded, which the part is coded beside
+  /// Or, of what is inserted into a base, 1 for vertices that are joined to the base's, of which no error
+  /// counts, else 0.
+  std::span<const std::uint8_t> is_joined{};
 };
 
-/// As MapCodec::encode(). `joined`: null for a part that is whole. Of vertices that are joined no error
-/// counts.
+/// As MapCodec::encode().
 Result<DecodedPart> encode_part(const MapCodec::State& state, const MapPart& part, const PartQuality& quality,
-                                const JoinedTo* joined = nullptr);
+                                const PartUse& use = {});
 
 }  // namespace deltamesh

@@ -32,7 +32,7 @@ Result<PatchedOctets> divide_patched(std::span<const std::byte> octets);
 std::vector<std::byte> join_patched(const PatchedOctets& parts);
 
 struct PatchBody {
-  std::span<const std::byte> plan;      ///< as PatchPlanReader takes it
+  std::span<const std::byte> plan;      ///< empty: `inserted` is the whole part, beside the base
   std::span<const std::byte> inserted;  ///< octets of a part without patches; empty: nothing is inserted
 };
 /// With a checksum, also of the base and the place.

@@ -37,6 +37,15 @@ MapPart new_part(const MapPart& source, const PartMatch& match, std::vector<std:
 
 }  // namespace
 
+Result<std::optional<DecodedPart>> encode_beside(const MapCodec::State& state, const MapPart& source,
+                                                 const MapPart& base, std::uint64_t base_hash,
+                                                 const PartQuality& quality) {
+  DELTAMESH_TRY(DecodedPart part, encode_part(state, source, quality, {.base = &base}));
+  if (!part.is_grid) return std::optional<DecodedPart>();
+  part.coded.bytes = write_body(state.place_of(source.key), base_hash, {{}, part.coded.bytes});
+  return std::optional(std::move(part));
+}
+
 Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, const MapPart& source,
                                                 const BaseVersion& base, std::uint64_t base_hash,
                                                 const PartMatch& match, const PartQuality& quality) {
@@ -47,9 +56,7 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
     std::vector<std::uint8_t> is_joined;
     is_joined.reserve(rows.size());
     for (const std::uint32_t row : rows) is_joined.push_back(match.base_of[row] != kNotJoined ? 1 : 0);
-    const Mesh& known = base.part.mesh;
-    const JoinedTo joined{{known.positions, known.triangles, match.stays, known.attributes}, is_joined};
-    DELTAMESH_TRY(inserted, encode_part(state, part, quality, &joined));
+    DELTAMESH_TRY(inserted, encode_part(state, part, quality, {.is_joined = is_joined}));
   }
   PatchPlan plan{.stays = match.stays, .joins = {}};
   DecodedPart patched;

@@ -17,9 +17,15 @@
 
 namespace deltamesh {
 
-/// `match`: what match_part() gave for `source` and `base`, whose octets have the hash `base_hash`. The
-/// result's bytes are the patch alone. Empty where the receiver's part would be beyond the quality. Errors:
-/// as MapCodec::encode().
+/// The whole of `source` beside `base`. The result's bytes are the patch alone. Empty where the part is in no
+/// grid, so that the base is of no use. Errors: as MapCodec::encode().
+Result<std::optional<DecodedPart>> encode_beside(const MapCodec::State& state, const MapPart& source,
+                                                 const MapPart& base, std::uint64_t base_hash,
+                                                 const PartQuality& quality);
+
+/// A plan and what is inserted. `match`: what match_part() gave for `source` and `base`, whose octets have
+/// the hash `base_hash`. The result's bytes are the patch alone. Empty where the receiver's part would be
+/// beyond the quality. Errors: as MapCodec::encode().
 Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, const MapPart& source,
                                                 const BaseVersion& base, std::uint64_t base_hash,
                                                 const PartMatch& match, const PartQuality& quality);

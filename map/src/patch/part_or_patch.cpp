@@ -4,6 +4,7 @@
 
 #include <xxhash.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,18 +21,25 @@ namespace {
 
 Result<MapPart> decode_whole(const MapCodec::State& state, const PartKey& key,
                              std::span<const std::byte> octets, const DecodeOptions& options,
-                             const KnownMesh* known = nullptr) {
+                             const MapPart* base = nullptr) {
   DELTAMESH_TRY(const OpenedPart opened, open_part(state.place_of(key), octets));
   MapPart part;
   part.key = key;
   const CodecModels& models = opened.primer ? state.models[*opened.primer] : state.models.back();
   DecodeOptions of_stream = options;
   of_stream.starting_states = models.start();
-  of_stream.known = known;
+  std::vector<float> known_positions;
+  std::optional<KnownMesh> known;
+  if (base != nullptr) {
+    known_positions = streamed_positions(*base);
+    known = {known_positions, base->mesh.triangles, base->mesh.attributes};
+    of_stream.known = &*known;
+  }
   DELTAMESH_TRY(part.mesh, decode(opened.stream, of_stream));
   const MapLattice& lattice = state.description.lattice;
-  DELTAMESH_TRY(const BorderView view, view_border(opened.stream, part.mesh, lattice));
+  DELTAMESH_TRY(const BorderView view, view_border(opened.stream, part.mesh, lattice, base));
   DELTAMESH_TRY(part.border, read_border(opened.border, part.mesh, view, {&models.border}));
+  part.streamed_border = positions_of(part.mesh, part.border);
   part.mesh.origin = lattice.origin;
   place_border(part.mesh, part.border, lattice, view.follows);
   return part;
@@ -43,15 +51,15 @@ Result<MapPart> apply_patch(const MapCodec::State& state, const PartKey& key, co
                             std::uint64_t base_hash, std::span<const std::byte> body,
                             const DecodeOptions& options) {
   DELTAMESH_TRY(const PatchBody opened, open_body(state.place_of(key), base_hash, body));
-  PatchPlanReader plan_reader(opened.plan, base.mesh);
-  const KnownMesh known{base.mesh.positions, base.mesh.triangles, plan_reader.stays(), base.mesh.attributes};
+  if (opened.plan.empty() && opened.inserted.empty()) return broken_patch("a patch without anything");
+  if (opened.plan.empty()) return decode_whole(state, key, opened.inserted, options, &base);
   MapPart inserted;
   if (!opened.inserted.empty()) {
-    DELTAMESH_TRY(inserted, decode_whole(state, key, opened.inserted, options, &known));
+    DELTAMESH_TRY(inserted, decode_whole(state, key, opened.inserted, options));
   }
   if (!base.mesh.face_groups.empty() || !inserted.mesh.face_groups.empty())
     return broken_patch("a patch with groups of faces");
-  DELTAMESH_TRY(const PatchPlan plan, plan_reader.finish(inserted.mesh));
+  DELTAMESH_TRY(const PatchPlan plan, read_patch_plan(opened.plan, base.mesh, inserted.mesh));
   return put_together(key, base, inserted, plan);
 }
 

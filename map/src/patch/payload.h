@@ -11,7 +11,6 @@
 
 #include "deltamesh/map/part.h"
 #include "deltamesh/result.h"
-#include "entropy/coder/reader.h"
 #include "patch/coder.h"
 
 namespace deltamesh {
@@ -25,22 +24,8 @@ struct PatchPlan {
 /// `base` and `inserted` as they are decoded.
 std::vector<std::byte> write_patch_plan(const Mesh& base, const Mesh& inserted, PatchPlan plan);
 
-/// Reads a plan: the faces first, as the inserted part is decoded beside them.
-class PatchPlanReader {
- public:
-  /// `bytes`, `base`: must outlive the reader.
-  PatchPlanReader(std::span<const std::byte> bytes, const Mesh& base);
-
-  const std::vector<std::uint8_t>& stays() const noexcept { return plan_.stays; }
-  /// `inserted` may be without faces. Errors: kInvalidStream [MAP-17], kTruncated.
-  Result<PatchPlan> finish(const Mesh& inserted);
-
- private:
-  CompactReader reader_;
-  const Mesh& base_;
-  PatchModels models_;
-  PatchPlan plan_;
-};
+/// `inserted` may be without faces. Errors: kInvalidStream [MAP-17], kTruncated.
+Result<PatchPlan> read_patch_plan(std::span<const std::byte> bytes, const Mesh& base, const Mesh& inserted);
 
 /// The part `key`: the faces that stay with their vertices, and behind them what is inserted but for joined
 /// vertices. `base`, `inserted`: with the same attributes; `inserted` may be without faces and attributes.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/try.h"
+#include "entropy/coder/reader.h"
 #include "patch/coder.h"
 #include "patch/payload.h"
 #include "support/errors.h"
@@ -45,18 +46,17 @@ std::vector<std::uint32_t> staying_triangles(const Mesh& base, const std::vector
   return triangles;
 }
 
-PatchPlanReader::PatchPlanReader(std::span<const std::byte> bytes, const Mesh& base)
-    : reader_(bytes), base_(base) {
-  code_staying(reader_, models_, base, plan_.stays);
-}
-
-Result<PatchPlan> PatchPlanReader::finish(const Mesh& inserted) {
-  const auto staying = staying_triangles(base_, plan_.stays);
-  if (!JoinCoder(reader_, models_, base_, staying, inserted).code(plan_.joins) && !reader_.failed())
+Result<PatchPlan> read_patch_plan(std::span<const std::byte> bytes, const Mesh& base, const Mesh& inserted) {
+  CompactReader reader(bytes);
+  PatchModels models;
+  PatchPlan plan;
+  code_staying(reader, models, base, plan.stays);
+  const auto staying = staying_triangles(base, plan.stays);
+  if (!JoinCoder(reader, models, base, staying, inserted).code(plan.joins) && !reader.failed())
     return broken_patch("a vertex joined to what is no free vertex of the base");
-  DELTAMESH_CHECK(reader_.finish(0));
+  DELTAMESH_CHECK(reader.finish(0));
   if (staying.empty()) return broken_patch("a patch of a base of which no face stays");
-  return std::move(plan_);
+  return plan;
 }
 
 std::vector<std::uint32_t> staying_vertices(const Mesh& base, const PatchPlan& plan) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/try.h"
 #include "deltamesh/color_content.h"
@@ -84,6 +85,7 @@ Encoding encoding_of(DecodedPart part, const MapPart& source, const MapDescripti
   encoding.octets = std::move(part.coded.bytes);
   encoding.hash = XXH3_64bits(encoding.octets.data(), encoding.octets.size());
   encoding.decoded = std::move(part.part);
+  encoding.is_grid = part.is_grid;
   encoding.quality = part.coded.quality;
   encoding.attribute_errors = std::move(part.coded.attribute_errors);
   encoding.sources.reserve(3 * part.order.size());
@@ -187,14 +189,23 @@ Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& 
                                                               const Encoding& base) {
   std::shared_ptr<const Encoding> none;
   if (!quality.max_error || count_patches(base.octets) >= kMostPatches) return none;
-  const auto matched = match(source, quality, base);
+  const PartQuality asked = asked_quality(quality, codec_.description(), options_);
+  std::optional<DecodedPart> part;
+  if (base.is_grid) {
+    auto made = encode_beside(codec_.state(), source.part, base.decoded, base.hash, asked);
+    if (!made && is_ours(made.error())) return made.error();
+    if (made) part = *std::move(made);
+  }
   const auto triangles = static_cast<double>(source.part.mesh.triangle_count());
-  if (static_cast<double>(matched->new_faces.size()) > kMostNewFaces * triangles) return none;
-  auto made = encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash, *matched,
-                           asked_quality(quality, codec_.description(), options_));
+  if (!part) {
+    const auto matched = match(source, quality, base);
+    if (static_cast<double>(matched->new_faces.size()) > kMostNewFaces * triangles) return none;
+    auto made =
+        encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash, *matched, asked);
+    if (!made && is_ours(made.error())) return made.error();
+    if (made) part = *std::move(made);
+  }
   ++encoded_;
-  if (!made) return is_ours(made.error()) ? Result<std::shared_ptr<const Encoding>>(made.error()) : none;
-  auto part = *std::move(made);
   if (!part || static_cast<double>(part->coded.bytes.size()) > kWorthPatch * base.whole_rate * triangles)
     return none;
   std::vector<std::byte> patch = std::move(part->coded.bytes);

@@ -88,13 +88,17 @@ TEST(MapExamples, MAP23MAP25APoseInFragments) {
   }
 }
 
-/// The example of what is coded beside a base.
-class BesideABase : public testing::Test {
+/// The examples of patches.
+class PatchExamples : public testing::Test {
  protected:
-  static Mesh mesh_of(const std::string& which) {
+  static Mesh mesh_of(const std::string& which, const std::string& faces) {
     Mesh mesh;
     mesh.positions = line_of<float>("map.md", which + "-q");
-    mesh.triangles = line_of<std::uint32_t>("map.md", which + "-faces");
+    mesh.triangles = line_of<std::uint32_t>("map.md", faces + "-faces");
+    return mesh;
+  }
+  static Mesh colored_mesh_of(const std::string& which) {
+    Mesh mesh = mesh_of(which, "base");
     mesh.attributes.push_back({.kind = AttributeKind::kColor,
                                .type = ComponentType::kU8,
                                .components = 3,
@@ -108,25 +112,25 @@ class BesideABase : public testing::Test {
     return values;
   }
 
-  const Mesh base_ = mesh_of("base");
-  const Mesh new_ = mesh_of("new");
-  const PatchPlan plan_{line_of<std::uint8_t>("map.md", "kept"), line_of<std::uint32_t>("map.md", "joined")};
-  const KnownMesh known_{base_.positions, base_.triangles, plan_.stays, base_.attributes};
+  const Mesh base_ = colored_mesh_of("base");
+  const Mesh new_ = colored_mesh_of("new");
+  const KnownMesh known_{base_.positions, base_.triangles, base_.attributes};
   const PredictiveParameters parameters_{
       .kind = PositionKind::kVoxel, .lattice = {.cells = {8, 8, 8}}, .levels = 2};
 };
 
-TEST_F(BesideABase, MAP17ThePlan) {
-  const auto plan = bytes_of("map.md", "plan");
-  EXPECT_EQ(write_patch_plan(base_, new_, plan_), plan);
-  PatchPlanReader reader(plan, base_);
-  EXPECT_EQ(reader.stays(), plan_.stays);
-  const auto read = reader.finish(new_);
+TEST_F(PatchExamples, MAP17ThePlan) {
+  const Mesh inserted = mesh_of("inserted", "inserted");
+  const PatchPlan plan{line_of<std::uint8_t>("map.md", "kept"), line_of<std::uint32_t>("map.md", "joined")};
+  const auto bytes = bytes_of("map.md", "plan");
+  EXPECT_EQ(write_patch_plan(base_, inserted, plan), bytes);
+  const auto read = read_patch_plan(bytes, base_, inserted);
   ASSERT_TRUE(read) << describe(read.error());
-  EXPECT_EQ(read->joins, plan_.joins);
+  EXPECT_EQ(read->stays, plan.stays);
+  EXPECT_EQ(read->joins, plan.joins);
 }
 
-TEST_F(BesideABase, MAP26MAP27MAP28MAP29MAP30TheGridAndItsColours) {
+TEST_F(PatchExamples, MAP26MAP27MAP28MAP29MAP30TheGridAndItsColours) {
   const auto grid = bytes_of("map.md", "grid");
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < new_.positions.size(); i += 3) {

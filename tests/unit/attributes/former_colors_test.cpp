@@ -25,8 +25,7 @@ namespace {
 
 using Colors = std::vector<std::array<int, 3>>;
 
-/// A sheet whose vertices had other colours before, but for every fifth, which had none. Every seventh of the
-/// others is one that stays.
+/// A sheet whose vertices had other colours before, but for every fifth, which had none.
 struct Version {
   Version() {
     for (const Vec3& p : mesh.positions)
@@ -39,7 +38,7 @@ struct Version {
       former.push_back(was);
       const int change = v % 2 == 0 ? 3 : 17;
       colors.push_back({was[0] + change, was[1] + change, was[2] + change});
-      known.push_back({.row = v % 5 == 0 ? KnownVertex::kNone : count - 1 - v, .stays = v % 35 == 7});
+      known.push_back(v % 5 == 0 ? kNoKnownVertex : count - 1 - v);
     }
     std::vector<std::array<int, 3>> rows(former.rbegin(), former.rend());  // the version's own order
     attribute = {
@@ -72,7 +71,7 @@ struct Version {
   std::vector<float> positions;
   Colors former;
   Colors colors;
-  std::vector<KnownVertex> known;
+  std::vector<std::uint32_t> known;
   Attribute attribute;
 };
 
@@ -87,18 +86,15 @@ TEST(FormerColors, MAP30ColoursBesideFormerOnesKeepTheBoundInFewerBytes) {
                                           &version.attribute);
     ASSERT_TRUE(read);
     EXPECT_EQ(*read, beside->values);
-    for (std::size_t v = 0; v < version.colors.size(); ++v) {
-      const bool stays = version.known[v].stays && version.known[v].row != KnownVertex::kNone;
-      const auto& wanted = stays ? version.former[v] : version.colors[v];
+    for (std::size_t v = 0; v < version.colors.size(); ++v)
       for (std::size_t c = 0; c < 3; ++c)
-        EXPECT_LE(std::abs(std::to_integer<int>((*read)[3 * v + c]) - wanted[c]), stays ? 0 : bound);
-    }
+        EXPECT_LE(std::abs(std::to_integer<int>((*read)[3 * v + c]) - version.colors[v][c]), bound);
   }
 }
 
 TEST(FormerColors, MAP30WhatIsNotKnownChangesNothing) {
   const Version version;
-  std::vector<KnownVertex> none(version.colors.size());
+  const std::vector<std::uint32_t> none(version.colors.size(), kNoKnownVertex);
   AttributeSurface surface = version.surface(false);
   surface.set_known(none);
   const auto alone = version.write(4, false);
@@ -110,8 +106,7 @@ TEST(FormerColors, MAP30WhatIsNotKnownChangesNothing) {
 
 TEST(FormerColors, MAP30ColoursOfAnotherShapeAreNotLookedAt) {
   const Version version;
-  const std::vector<std::uint8_t> stays(version.mesh.triangles.size() / 3);
-  KnownMesh mesh{version.positions, version.mesh.triangles, stays, std::span(&version.attribute, 1)};
+  KnownMesh mesh{version.positions, version.mesh.triangles, std::span(&version.attribute, 1)};
   EXPECT_EQ(known_attribute(&mesh, 0, ComponentType::kU8, 3), &version.attribute);
   EXPECT_EQ(known_attribute(&mesh, 0, ComponentType::kU8, 4), nullptr);
   EXPECT_EQ(known_attribute(&mesh, 0, ComponentType::kU16, 3), nullptr);

@@ -60,8 +60,7 @@ class ColorCoder {
     memory.outcome = code_copy(coder, place, vertex, levels);
     numbers_.code(coder, around, memory, levels);
     colors_[vertex] = floats_of(levels);
-    if (!former_.empty() && former_[vertex].kind == FormerKind::kNone)
-      former_[vertex].levels = colors_[vertex];
+    if (!former_.empty() && !former_[vertex].is_there) former_[vertex].levels = colors_[vertex];
   }
 
  private:
@@ -69,19 +68,15 @@ class ColorCoder {
 
   [[gnu::always_inline]] CopyOutcome code_copy(Coder& coder, const ColorPlace& place, std::uint32_t vertex,
                                                ColorLevels& levels) {
-    const FormerColor* const former = former_of(vertex);
-    if (former != nullptr && former->kind == FormerKind::kStays) {
-      levels = levels_of(former->levels);
-      return CopyOutcome::kFirst;
-    }
     if (!has_copies_) return CopyOutcome::kNone;
+    const FormerColor* const former = former_of(vertex);
     return copies_.code(coder, place, colors_.data(), memories_.data(),
                         former != nullptr ? &former->levels : nullptr, levels);
   }
 
   /// Null where there is none.
   const FormerColor* former_of(std::uint32_t vertex) const noexcept {
-    const bool has_one = !former_.empty() && former_[vertex].kind != FormerKind::kNone;
+    const bool has_one = !former_.empty() && former_[vertex].is_there;
     return has_one ? &former_[vertex] : nullptr;
   }
 

@@ -16,11 +16,9 @@
 
 namespace deltamesh {
 
-enum class FormerKind : std::uint8_t { kNone, kGoes, kStays };
-
 struct FormerColor {
   FourFloats levels{};
-  FormerKind kind = FormerKind::kNone;  ///< kStays: it is that of the vertex
+  bool is_there = false;
 };
 
 /// n; empty where nothing is known. `attribute`: of the known mesh, of the same shape, or null.
@@ -31,10 +29,10 @@ inline LargeVector<FormerColor> former_colors(const AttributeSurface& surface, c
   const std::size_t size = component_size(attribute->type);
   former.resize(surface.vertex_count(), FormerColor{});
   for (std::uint32_t v = 0; v < former.size(); ++v) {
-    const KnownVertex& known = surface.known_of(v);
-    if (known.row == KnownVertex::kNone) continue;
-    former[v].kind = known.stays ? FormerKind::kStays : FormerKind::kGoes;
-    const std::byte* const row = attribute->values.data() + std::size_t{known.row} * fields.components * size;
+    const std::uint32_t known = surface.known_of(v);
+    if (known == kNoKnownVertex) continue;
+    former[v].is_there = true;
+    const std::byte* const row = attribute->values.data() + std::size_t{known} * fields.components * size;
     for (unsigned a = 0; a < axes.count; ++a) {
       const auto bits = static_cast<std::uint32_t>(load_component(row + axes.components[a] * size, size));
       former[v].levels[static_cast<int>(a)] =

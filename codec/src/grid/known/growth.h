@@ -24,28 +24,34 @@ class KnownGrowth {
     constexpr CountedBit kUnlikely(65535 - 61000);
     for (std::size_t i = 0; i < flags_.size(); ++i) flags_[i] = (i / kOfMixed & 1) != 0 ? kLikely : kUnlikely;
     for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = (i & 1) != 0 ? kLikely : kUnlikely;
-    for (std::size_t i = 0; i < patterns_.size(); ++i) patterns_[i] = (i & 1) == 0 ? kLikely : kUnlikely;
+    patterns_ = {kLikely, kUnlikely};
+    for (std::size_t i = 0; i < empty_.size(); ++i)
+      empty_[i] = i < kOfMixed ? kUnlikely : CountedBit(kFreshEmpty[i % 4]);
   }
 
-  /// Nodes of cubes with faces that stay are known, and cubes with faces that go wait.
+  /// Cubes that had faces wait.
   void begin(Bricks& bricks, WaitingCubes& waiting) const {
     if (surface_ == nullptr) return;
     for (const KnownSurface::Cube& cube : surface_->cubes())
-      if ((cube.kind() & KnownSurface::kStays) != 0) set_corners(bricks, cube);
-    for (const KnownSurface::Cube& cube : surface_->cubes())
-      if ((cube.kind() & KnownSurface::kGoes) != 0) waiting.add(bricks.get(cube.brick->at), cube.place);
+      waiting.add(bricks.get(cube.brick->at), cube.place);
   }
 
   /// Null: as without a known surface. `faceless`: of the cubes across faces.
   CountedBit* flag_model(const Brick& brick, unsigned place, const Corners& corners,
                          unsigned faceless) noexcept {
     const Brick* const known = find(brick);
-    if (known == nullptr || known->cubes[place] == 0) return nullptr;
+    if (known == nullptr) return nullptr;
+    const Corners before(*known, place);
+    const unsigned wrong = wrong_corners(corners, before);
+    const unsigned beside = std::min(faceless, 3U);
+    if (known->cubes[place] == 0) {
+      if ((before.outside & corners.known()) == 0 || (before.inside & corners.known()) == 0) return nullptr;
+      const int count = std::popcount(corners.known());
+      return &empty_[wrong * kOfMixed + (count == 8 ? 2 : count > 4 ? 1 : 0) * 4 + beside];
+    }
     const unsigned is_mixed = corners.outside != 0 && corners.inside != 0 ? 1 : 0;
     const unsigned count = corners.known() == 255 ? 2 : corners.known() != 0 ? 1 : 0;
-    const unsigned index =
-        ((known->cubes[place] - 1U) * 4 + wrong_corners(corners, Corners(*known, place))) * 2 + is_mixed;
-    return &flags_[index * kOfMixed + count * 4 + std::min(faceless, 3U)];
+    return &flags_[(2 * wrong + is_mixed) * kOfMixed + count * 4 + beside];
   }
 
   /// Likewise, of a corner that is not known. `majority`: see Window.
@@ -63,30 +69,25 @@ class KnownGrowth {
     return &signs_[2 * index + was_outside];
   }
 
-  /// The faces that go of a cube all of whose corners were known, and the model of whether the new ones are
+  /// The former faces of a cube all of whose corners were known, and the model of whether the new ones are
   /// the same; null if there are none.
-  struct Gone {
+  struct Former {
     const Pattern* pattern = nullptr;
     CountedBit* model = nullptr;
   };
-  Gone gone(const Brick& brick, unsigned place, Signs signs) noexcept {
+  Former former(const Brick& brick, unsigned place, Signs signs) noexcept {
     const Brick* const known = find(brick);
-    if (known == nullptr || (known->cubes[place] & KnownSurface::kGoes) == 0) return {};
+    if (known == nullptr || known->cubes[place] == 0) return {};
     const Corners before(*known, place);
     if (before.known() != 255) return {};
-    const unsigned is_other = before.outside == signs ? 0 : 1;
-    return {&surface_->gone(*known, place),
-            &patterns_[is_other + (known->cubes[place] & KnownSurface::kStays)]};
+    return {&surface_->pattern(*known, place), &patterns_[before.outside == signs ? 0 : 1]};
   }
 
  private:
   static constexpr std::size_t kOfMixed =
       3 * 4;  ///< models of flags with the same `is_mixed` and those before
-
-  void set_corners(Bricks& bricks, const KnownSurface::Cube& cube) const {
-    const Corners before(*cube.brick, cube.place);
-    bricks.set_corners(bricks.get(cube.brick->at), cube.place, before.outside, before.inside);
-  }
+  /// Where corners have changed, by how many cubes across faces have none.
+  static constexpr std::array<std::uint16_t, 4> kFreshEmpty = {49152, 24576, 8192, 4096};
 
   /// Those that are on the other side now, 3 at most.
   static unsigned wrong_corners(const Corners& now, const Corners& before) noexcept {
@@ -104,9 +105,10 @@ class KnownGrowth {
   const KnownSurface* surface_;
   std::uint32_t last_ = 0xffffffff;  ///< brick that find() was asked for, and what it found
   const Brick* known_ = nullptr;
-  std::array<CountedBit, std::size_t{3} * 4 * 2 * kOfMixed> flags_;
+  std::array<CountedBit, std::size_t{4} * 2 * kOfMixed> flags_;
+  std::array<CountedBit, 4 * kOfMixed> empty_;  ///< flags of cubes that had no faces
   std::array<CountedBit, std::size_t{4} * 3 * 16 * 2> signs_;
-  std::array<CountedBit, 4> patterns_;
+  std::array<CountedBit, 2> patterns_;  ///< by whether a corner has changed
 };
 
 }  // namespace deltamesh::grid

@@ -30,8 +30,8 @@ class KnownPlaces {
       levels_.fill(std::size_t{former} * kMotions, kMotions, near_model(symbols, former));
   }
 
-  /// `window`: loaded with `brick`; the places of vertices that stay are known in it afterwards.
-  void load(const Brick& brick, PlaceWindow& window) {
+  /// Those around `brick`.
+  void load(const Brick& brick) {
     if (surface_ == nullptr) return;
     cuts_.fill(PlaceWindow::kNoPlace);
     own_ = surface_->bricks().find(brick.at);
@@ -40,7 +40,7 @@ class KnownPlaces {
                          static_cast<int>(way / 9) - 1};
       const Bricks::Place at = {brick.at[0] + step[0], brick.at[1] + step[1], brick.at[2] + step[2]};
       if (const Brick* const known = surface_->bricks().find(at); known != nullptr)
-        load_brick(*known, {step[0] * kSide, step[1] * kSide, step[2] * kSide}, window);
+        load_brick(*known, {step[0] * kSide, step[1] * kSide, step[2] * kSide});
     }
   }
 
@@ -79,7 +79,7 @@ class KnownPlaces {
   CountedBit& is_same(unsigned motion) noexcept { return is_same_[motion]; }
 
  private:
-  void load_brick(const Brick& known, const Spot& shift, PlaceWindow& window) {
+  void load_brick(const Brick& known, const Spot& shift) {
     constexpr int kEnd = kSide + PlaceWindow::kAround;
     const auto is_near = [](int x) { return x >= -PlaceWindow::kAround && x < kEnd; };
     for (int z = 0; z < kSide; ++z) {
@@ -95,7 +95,6 @@ class KnownPlaces {
               surface_->edge(known, row_slot(y, z) + kSlots[0][static_cast<std::size_t>(x)], axis);
           const int at = PlaceWindow::at({x + shift[0], y + shift[1], z + shift[2]});
           cuts_[axis * PlaceWindow::kSize + static_cast<std::size_t>(at)] = edge.cut;
-          if (edge.stays && window.places(axis)[at] == PlaceWindow::kNoPlace) window.set(axis, at, edge.cut);
         }
       }
     }

@@ -88,14 +88,17 @@ std::optional<KnownSurface> KnownSurface::make(const KnownMesh& mesh,
   const std::uint32_t most = most_bricks(mesh.positions.size() / 3);
   std::vector<Home> homes;
   if (!surface->add_vertices(mesh, parameters, homes)) return std::nullopt;
-  for (std::size_t f = 0; f < mesh.stays.size(); ++f) {
+  for (std::size_t f = 0; f < mesh.triangles.size() / 3; ++f) {
     const auto corner = [&](std::size_t c) { return &homes[mesh.triangles[3 * f + c]]; };
-    if (const auto face = Face::of({corner(0), corner(1), corner(2)}))
-      surface->add_face(*face, mesh.stays[f] != 0);
+    if (const auto face = Face::of({corner(0), corner(1), corner(2)})) surface->add_face(*face);
+    if (surface->bricks_.count() > most) return std::nullopt;
+  }
+  for (const Cube& cube : surface->cubes_) {
+    surface->add_bricks_below(cube);
     if (surface->bricks_.count() > most) return std::nullopt;
   }
   for (const Cube& cube : surface->cubes_) surface->settle(cube);
-  for (auto& [cube, gone] : surface->gone_) gone.sort();
+  for (auto& [cube, pattern] : surface->patterns_) pattern.sort();
   return surface;
 }
 
@@ -105,8 +108,6 @@ bool KnownSurface::add_vertices(const KnownMesh& mesh, const PredictiveParameter
   const std::size_t count = mesh.positions.size() / 3;
   edges_.resize(count);
   homes.reserve(count);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    if (mesh.stays[i / 3] != 0) edges_[mesh.triangles[i]].stays = true;
   for (std::uint32_t v = 0; v < count; ++v) {
     const Home& home = homes.emplace_back(Home::of(&mesh.positions[3 * std::size_t{v}], parameters));
     if (home.axis == kNoAxis) continue;
@@ -117,7 +118,7 @@ bool KnownSurface::add_vertices(const KnownMesh& mesh, const PredictiveParameter
     const Spot spot = spot_in_brick(home.node);
     std::uint32_t& vertex = bricks_.vertex(
         brick, kSlots[0][static_cast<std::size_t>(spot[0])] + row_slot(spot[1], spot[2]), home.axis);
-    if (vertex == kNoVertex || (edges_[v].stays && !edges_[vertex].stays)) vertex = v;
+    if (vertex == kNoVertex) vertex = v;
     brick.cut[static_cast<std::size_t>(spot[1] + kSide * spot[2])] |=
         Brick::cut_bit(static_cast<unsigned>(spot[0]), home.axis);
     if (bricks_.count() > most_bricks(count)) return false;
@@ -125,9 +126,9 @@ bool KnownSurface::add_vertices(const KnownMesh& mesh, const PredictiveParameter
   return true;
 }
 
-std::vector<KnownVertex> KnownSurface::vertices_at(std::span<const float> positions,
-                                                   const PredictiveParameters& parameters) const {
-  std::vector<KnownVertex> vertices(positions.size() / 3);
+std::vector<std::uint32_t> KnownSurface::vertices_at(std::span<const float> positions,
+                                                     const PredictiveParameters& parameters) const {
+  std::vector<std::uint32_t> vertices(positions.size() / 3, kNoKnownVertex);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const Home home = Home::of(&positions[3 * v], parameters);
     if (home.axis == kNoAxis) continue;
@@ -137,8 +138,7 @@ std::vector<KnownVertex> KnownSurface::vertices_at(std::span<const float> positi
     if (brick == nullptr ||
         (brick->cut[static_cast<std::size_t>(spot[1] + kSide * spot[2])] & Brick::cut_bit(x, home.axis)) == 0)
       continue;
-    const std::uint32_t row = bricks_.vertex(*brick, kSlots[0][x] + row_slot(spot[1], spot[2]), home.axis);
-    vertices[v] = {row, edges_[row].stays};
+    vertices[v] = bricks_.vertex(*brick, kSlots[0][x] + row_slot(spot[1], spot[2]), home.axis);
   }
   return vertices;
 }
@@ -148,16 +148,14 @@ Brick& KnownSurface::brick_at(const Bricks::Place& at) {
   return *last_;
 }
 
-void KnownSurface::add_face(const Face& face, bool stays) {
+void KnownSurface::add_face(const Face& face) {
   Brick& brick = brick_at(brick_of(face.lowest));
   const unsigned place = place_of(spot_in_brick(face.lowest));
   const bool is_first = brick.cubes[place] == 0;
   if (is_first) cubes_.push_back({&brick, place});
-  brick.cubes[place] = static_cast<std::uint8_t>(brick.cubes[place] | (stays ? kStays : kGoes));
-  if (!stays) {
-    Pattern& gone = gone_[number_of(brick, place)];
-    if (gone.triangles().size() < Pattern::kMostTriangles) gone.add(face.edges);
-  }
+  brick.cubes[place] = 1;
+  Pattern& pattern = patterns_[number_of(brick, place)];
+  if (pattern.triangles().size() < Pattern::kMostTriangles) pattern.add(face.edges);
   const Corners known(brick, place);
   Signs outside = known.outside;
   Signs inside = known.inside;
@@ -173,6 +171,17 @@ void KnownSurface::add_face(const Face& face, bool stays) {
   }
   if (is_first || outside != known.outside || inside != known.inside)
     bricks_.set_corners(brick, place, outside, inside);
+}
+
+/// Cubes beside this one, all of which have corners in common with it, then are in some brick: those that are
+/// higher have their lowest node at its corners.
+void KnownSurface::add_bricks_below(const Cube& cube) {
+  const Spot spot = spot_of(cube.place);
+  if (spot[0] > 0 && spot[1] > 0 && spot[2] > 0) return;
+  for (int i = 0; i < 27; ++i) {
+    Spot other = {spot[0] + i % 3 - 1, spot[1] + i / 3 % 3 - 1, spot[2] + i / 9 - 1};
+    bricks_.home(*cube.brick, other);
+  }
 }
 
 /// Corners that no face tells of are on the side of those along edges that are not cut.

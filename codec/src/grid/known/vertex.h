@@ -9,11 +9,7 @@
 
 namespace deltamesh {
 
-struct KnownVertex {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-  std::uint32_t row = kNone;  ///< in the known mesh
-  bool stays = false;         ///< a face that stays has it
-};
+/// Its number in the known mesh, or this.
+inline constexpr std::uint32_t kNoKnownVertex = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace deltamesh

@@ -33,6 +33,8 @@ struct MapPart {
   /// Attributes are those of the map, in its order.
   Mesh mesh{};
   std::vector<BorderVertex> border{};  ///< ascending by vertex
+  /// Decoded: where the stream has the border vertices, b x 3; of a part that a patch put together: none.
+  std::vector<float> streamed_border{};
 };
 
 /// A part's octets are no longer, and it has at most so many vertices and triangles [MAP-7].
