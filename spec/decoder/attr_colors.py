@@ -30,7 +30,7 @@ def ATTR_45_colours(r, a, surface):
         number, former = surface.attributes.index(a), {}
         if surface.known:
             former = surface.known.MAP_30_former(number, surface.positions, level_bits)
-        former = {v: (F([levels[c] for c in axes] + [0] * (4 - len(axes))), kept) for v, (levels, kept) in former.items()}
+        former = {v: F([levels[c] for c in axes] + [0] * (4 - len(axes))) for v, levels in former.items()}
         rows = ColourCoder(Coder(r), surface, number, len(axes), top, bound, former).decode()
     levels = [[constants[c] if s == 255 else row[axes.index(s)] for c, s in enumerate(sources)] for row in rows]
     return [[ATTR_46_value(x, a.type, level_bits) for x in row] for row in levels]
@@ -56,15 +56,13 @@ class ColourCoder:  # ATTR-45, ATTR-47 to ATTR-52, MAP-30
             near = ([v - 1] if v > first[g] else []) + [u for u in self.around[v][:4] if u < v]  # [ATTR-47]
             shares = self.ATTR_47_shares(v, near)
             E = self.mix(near, shares, self.colours) if near else self.colours[v - 1] if v else np.zeros(4, dtype=F)
-            F_v, kept = self.former.get(v, (None, False))
+            F_v = self.former.get(v)
             if F_v is not None:  # [MAP-30]
                 E = E + (F_v - self.mix(near, shares, self.before)) * F(0.6875) if near else F_v
             E = np.clip(E, ZERO, self.top)  # [ATTR-48]
             spread = self.mix(near, shares, {u: abs((d := self.colours[u] - E) - d[0] * F([0, 1, 1, 0])) for u in near})
             outcome, colour = 2 if near or not copies else 3, None
-            if kept:
-                outcome, colour = 0, F_v
-            elif copies and (near or F_v is not None):
+            if copies and (near or F_v is not None):
                 outcome, colour = self.ATTR_50_copy(near, shares, F_v)
             self.ATTR_51_levels(colour, E, spread, self.mix(near, shares, self.sizes), bool(near))
             self.outcomes.append(outcome)

@@ -1,11 +1,13 @@
 """GRID: surfaces in the cubes of a grid: grid.md. Nodes, and cubes by their lowest nodes, are triples; an edge is a pair of its axis and its first node."""
 from collections import defaultdict, deque
 from logging import debug
+from types import SimpleNamespace
 
 from coder import Coder, CountedBit, Fresh, Mixture, NumberModel, States, SymbolModel, bits, clamp
 from container import must, unzigzag
 from glue import CONN_8_faces
-from known import MAP_28_flag, MAP_28_fresh_flag, MAP_28_fresh_gone, MAP_28_fresh_sign, MAP_28_gone, MAP_28_sign, Moved, NothingKnown
+from known import (MAP_28_beside, MAP_28_flag, MAP_28_fresh_beside, MAP_28_fresh_flag, MAP_28_fresh_pattern, MAP_28_fresh_sign, MAP_28_pattern,
+                   MAP_28_sign, Moved, NothingKnown)
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
@@ -125,13 +127,17 @@ class Surface:
         learnt = states.models("grid", flags=Fresh(GRD_3_fresh), signs=Fresh(GRD_4_fresh), patterns=Patterns())
         self.flags, self.signs, self.patterns = learnt.flags, learnt.signs, learnt.patterns
         self.without, self.seen, self.waiting, self.known = defaultdict(lambda: [0, 0]), set(), deque(), known
-        self.beside = {"flags": Fresh(MAP_28_fresh_flag), "signs": Fresh(MAP_28_fresh_sign), "gone": Fresh(MAP_28_fresh_gone)}
+        self.former = SimpleNamespace(flags=Fresh(MAP_28_fresh_flag), beside=Fresh(MAP_28_fresh_beside), signs=Fresh(MAP_28_fresh_sign),
+                                      patterns=Fresh(MAP_28_fresh_pattern))
         self.GRD_7_grow()
 
     def GRD_7_grow(self):
         size = [(cells // self.width + 17) // 16 for cells in self.header.cells]  # [GRD-1]
         must(size[0] * size[1] * size[2] < 2**32, "GRD-1", f"{size} bricks")
-        self.MAP_28_begin()
+        self.waiting.extend(self.known.cubes)  # [MAP-28]
+        self.seen.update(self.waiting)
+        self.bricks.update(map(brick_of, self.waiting))
+        self.those_that_wait()
         is_seed, brick_step, place_step, brick, place = CountedBit(), NumberModel(), NumberModel(), 0, 0
         while is_seed.decode(self.coder):
             step = brick_step.decode(self.coder)
@@ -152,21 +158,17 @@ class Surface:
             if self.GRD_3_flag(cube):
                 self.with_faces(cube)
 
-    def MAP_28_begin(self):
-        staying = {corner_of(cube, i) for cube, kind in self.known.kinds.items() if kind & 2 for i in range(8)}
-        self.nodes = {node: self.known.states[node] for node in staying if node in self.known.states}
-        self.waiting.extend(cube for cube, kind in self.known.kinds.items() if kind & 1)
-        self.seen.update(self.waiting)
-        self.bricks.update(map(brick_of, [*staying, *self.known.kinds]))
-        self.those_that_wait()
+    def flag_model(self, cube):  # GRD-3, MAP-28
+        own, (F, E) = [corner_of(cube, i) for i in range(8)], self.without[cube]
+        if cube in self.known.cubes:
+            return self.former.flags[MAP_28_flag(self.known, self.nodes, own, F)]
+        beside = MAP_28_beside(self.known, self.nodes, own, F)
+        if beside is not None:
+            return self.former.beside[beside]
+        return self.flags[64 * sum((node in self.nodes) << i for i, node in enumerate(own)) + 8 * F + min(E, 7)]
 
     def GRD_3_flag(self, cube):
-        known = sum((corner_of(cube, i) in self.nodes) << i for i in range(8))
-        F, E = self.without[cube]
-        own = [corner_of(cube, i) for i in range(8)]
-        is_known = cube in self.known.kinds
-        model = self.beside["flags"][MAP_28_flag(self.known, self.nodes, own, F)] if is_known else self.flags[64 * known + 8 * F + min(E, 7)]
-        if model.decode(self.coder):
+        if self.flag_model(cube).decode(self.coder):
             return True
         for d in [(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]:
             apart = sum(map(abs, d))
@@ -179,9 +181,9 @@ class Surface:
     def with_faces(self, cube):  # GRD-4 to GRD-8
         """A cube that has faces."""
         signs = self.GRD_4_signs(cube)
-        gone = MAP_28_gone(self.known, self.nodes, [corner_of(cube, i) for i in range(8)])
-        is_gone = gone is not None and self.beside["gone"][gone].decode(self.coder)
-        pattern = sorted(self.known.gone[cube]) if is_gone else self.patterns.GRD_5_pattern(self.coder, signs)
+        former = MAP_28_pattern(self.known, self.nodes, [corner_of(cube, i) for i in range(8)])
+        is_former = former is not None and self.former.patterns[former].decode(self.coder)
+        pattern = sorted(self.known.cubes[cube][:15]) if is_former else self.patterns.GRD_5_pattern(self.coder, signs)
         used, numbers = sorted({e for triangle in pattern for e in triangle}), {}
         for e in used:  # [GRD-8]
             numbers[e] = self.count if e == INSIDE else self.edges.setdefault(edge_of(cube, e), self.count)
@@ -214,7 +216,7 @@ class Surface:
             around = [tuple(c + d for c, d in zip(own[j], (x, y, z))) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)]
             sides = [self.nodes[node] for node in around if node in self.nodes and node not in own]
             M = 1 + clamp(2 * sum(sides) - len(sides), -1, 1)
-            model = self.beside["signs"][MAP_28_sign(self.known, self.nodes, own, j, M)] if own[j] in self.known.states else self.signs[3 * T + M]
+            model = self.former.signs[MAP_28_sign(self.known, self.nodes, own, j, M)] if own[j] in self.known.states else self.signs[3 * T + M]
             self.nodes[own[j]] = model.decode(self.coder)
             self.bricks.add(brick_of(own[j]))
         return sum(self.nodes[corner] << i for i, corner in enumerate(own))
@@ -222,20 +224,19 @@ class Surface:
 class Levels:
     """[GRD-9, GRD-10] Where vertices are on their edges: `rows`."""
     def __init__(self, coder, header, surface, states):
-        self.nodes, self.levels, self.rows, known = surface.nodes, header.levels, {}, surface.known
+        self.nodes, self.levels, self.rows, self.cuts, known = surface.nodes, header.levels, {}, {}, surface.known
         g = max(bits(self.levels - 1) - 4, 0)
         fresh = Mixture(even_weights(16))
         fresh.models = Fresh(GRD_10_fresh(((self.levels - 1) >> g) + 1))
         models, moved_levels = states.models(("levels", self.levels), places=fresh).places, Moved(known, self.levels, g)
-        self.cuts = {edge: cut for edge, cut in moved_levels.cuts.items() if known.kept[edge]}  # [MAP-29]
         def place(edge):
             (x, y, z), (bx, by, bz) = edge[1], brick_of(edge[1])
             return bz, by, bx, z, y, edge[0], x
         for k, r in sorted(surface.edges, key=place):  # [GRD-9]
-            level = known.levels.get((k, r), 0)
-            if self.levels > 1 and not known.kept.get((k, r)):  # [MAP-29]
+            level = 0
+            if self.levels > 1:
                 mixed, weights = models.of(*self.GRD_10_contexts(k, r))
-                is_known = (k, r) in known.levels
+                is_known = (k, r) in known.levels  # [MAP-29]
                 symbol, level = moved_levels.decode(coder, (k, r), self.nodes[r], self.cuts, mixed[1]) if is_known else (coder.symbol(mixed, weights), None)
                 if level is None:
                     level = symbol << g | coder.raw(g) if g else symbol

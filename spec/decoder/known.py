@@ -1,6 +1,7 @@
-"""What an inserted part with voxel edges knows of the base: map.md, MAP-26 to MAP-29. Nodes, cubes and edges are those of grid.py."""
+"""What a part with voxel edges knows of its base: map.md, MAP-26 to MAP-30. Nodes, cubes and edges are those of grid.py."""
 import math
 from collections import defaultdict
+from itertools import product
 
 from coder import CountedBit, Fresh, Mixture, SymbolModel, clamp
 from container import must
@@ -14,23 +15,23 @@ def plus(node, step):  # MAP-27
 
 class NothingKnown:  # MAP-26
     """A mesh that is not beside a base."""
-    kinds, states, levels, kept, gone, count = {}, {}, {}, {}, {}, 0
+    cubes, states, levels, count = {}, {}, {}, 0
 
 class Known:
-    """[MAP-26, MAP-27] Of the base, on the grid of the part: `levels` and `kept`, of edges; `kinds` of cubes and their `gone` faces; former `states` of nodes."""
-    def __init__(self, mesh, stays, header):
-        self.kinds, self.states, self.levels, self.kept, self.gone = {}, {}, {}, {}, defaultdict(list)
-        self.count, self.header, self.attributes, self.rows = len(mesh.positions), header, mesh.attributes, {}
-        self.homes = [self.MAP_26_home(position, header) for position in mesh.positions.tolist()]
-        of_kept = {v for face, stay in zip(mesh.faces, stays) if stay for v in face}
+    """[MAP-26, MAP-27] Of the base, on the grid of the part: `levels` of edges; former `cubes` with the faces in them; former `states` of nodes."""
+    def __init__(self, mesh, header):
+        self.cubes, self.states, self.levels, self.rows = {}, {}, {}, {}
+        self.count, self.header, self.attributes = len(mesh.positions), header, mesh.attributes
+        self.homes = [self.MAP_26_home(position, header) for position in mesh.of_stream.tolist()]
         for v, (edge, level) in enumerate(self.homes):
-            if edge and (edge not in self.levels or (v in of_kept and not self.kept[edge])):
-                self.levels[edge], self.kept[edge], self.rows[edge] = level, v in of_kept, v
-        for face, stay in zip(mesh.faces, stays):
-            self.MAP_27_face([self.homes[v][0] for v in face], stay)
-        bricks = {tuple(x >> 4 for x in node) for node in [r for _, r in self.levels] + [plus(c, i) for c in self.kinds for i in CORNERS]}
+            if edge and edge not in self.levels:
+                self.levels[edge], self.rows[edge] = level, v
+        for face in mesh.faces:
+            self.MAP_27_face([self.homes[v][0] for v in face])
+        nodes = [r for _, r in self.levels] + [plus(cube, by) for cube in self.cubes for by in product((-1, 0, 1), repeat=3)]
+        bricks = {tuple(x >> 4 for x in node) for node in nodes}
         must(len(bricks) <= min(64 + self.count // 16, 2**20 - 64), "MAP-27", "too many bricks of the base")
-        for cube in self.kinds:
+        for cube in self.cubes:
             for first, last, k in EDGES * 8:
                 a, b = plus(cube, CORNERS[first]), plus(cube, CORNERS[last])
                 if (k, a) not in self.levels and (a in self.states) != (b in self.states):
@@ -51,24 +52,23 @@ class Known:
         return (k, tuple(node)), clamp(math.floor((u[k] - w * node[k]) / 2), 0, header.levels - 1)
 
     def MAP_30_former(self, number, positions, level_bits):
-        """By vertex: the levels of attribute `number` that the base's vertex on its edge has, and whether that is kept."""
+        """By vertex: the levels of attribute `number` that the base's vertex on its edge has."""
         former, a = {}, self.attributes[number]
         for v, position in enumerate(positions.tolist()):
             edge = self.MAP_26_home(position, self.header)[0]
             if edge in self.rows:
-                former[v] = [MAP_30_level(x, a.type, level_bits) for x in a.values[self.rows[edge]]], self.kept[edge]
+                former[v] = [MAP_30_level(x, a.type, level_bits) for x in a.values[self.rows[edge]]]
         return former
 
-    def MAP_27_face(self, edges, stay):
+    def MAP_27_face(self, edges):
         if None in edges or len(set(edges)) < 3:
             return
         cube = tuple(max(r[a] - (a != k) for k, r in edges) for a in range(3))
         if any(r[a] < cube[a] for _, r in edges for a in range(3)):
             return
-        self.kinds[cube] = self.kinds.get(cube, 0) | (2 if stay else 1)
         numbers = [4 * k + r[(k + 1) % 3] - cube[(k + 1) % 3] + 2 * (r[(k + 2) % 3] - cube[(k + 2) % 3]) for k, r in edges]
-        if not stay and len(self.gone[cube]) < 15:
-            self.gone[cube].append(min((tuple(numbers[i:] + numbers[:i]) for i in range(3)), key=lambda turn: turn[0]))
+        triangle = min((tuple(numbers[i:] + numbers[:i]) for i in range(3)), key=lambda turn: turn[0])
+        self.cubes.setdefault(cube, []).append(triangle)
         a, b, c = ([2 * x + (axis == k) for axis, x in enumerate(r)] for k, r in edges)
         for k, r in edges:
             i, j = (k + 1) % 3, (k + 2) % 3
@@ -96,14 +96,24 @@ def MAP_28_fresh_flag(number):
 def MAP_28_fresh_sign(number):
     return likely(number & 1)
 
-def MAP_28_fresh_gone(number):
-    return likely(not number & 1)
+def MAP_28_fresh_pattern(number):
+    return likely(not number)
+
+def MAP_28_fresh_beside(number):
+    return CountedBit((49152, 24576, 8192, 4096)[number & 3] if number // 12 else 4535)
 
 def MAP_28_flag(known, nodes, own, F):
-    """The model of a cube with a kind; `own`: its corners."""
+    """The model of a former cube; `own`: its corners."""
     now = [nodes[node] for node in own if node in nodes]
     mixed, count = len(set(now)) == 2, 2 if len(now) == 8 else min(len(now), 1)
-    return ((((known.kinds[own[0]] - 1) * 4 + MAP_28_wrong(known, nodes, own)) * 2 + mixed) * 3 + count) * 4 + min(F, 3)
+    return ((2 * MAP_28_wrong(known, nodes, own) + mixed) * 3 + count) * 4 + min(F, 3)
+
+def MAP_28_beside(known, nodes, own, F):
+    """The model of another cube, of whose known corners some were inside and some outside; or None."""
+    count = sum(node in nodes for node in own)
+    if len({known.states[node] for node in own if node in nodes and node in known.states}) < 2:
+        return None
+    return 4 * (3 * MAP_28_wrong(known, nodes, own) + (count == 8) + (count >= 5)) + min(F, 3)
 
 def MAP_28_sign(known, nodes, own, j, M):
     """The model of a corner with a former state."""
@@ -111,10 +121,10 @@ def MAP_28_sign(known, nodes, own, j, M):
     index = (3 * MAP_28_wrong(known, nodes, own) + M) * 16 + 4 * sum(beside) + len(beside) - sum(beside)
     return 2 * index + known.states[own[j]]
 
-def MAP_28_gone(known, nodes, own):
-    """The model of whether the pattern is that of the base's faces that go, or None."""
-    if known.kinds.get(own[0], 0) & 1 and all(node in known.states for node in own):
-        return any(nodes[node] != known.states[node] for node in own) + (known.kinds[own[0]] & 2)
+def MAP_28_pattern(known, nodes, own):
+    """The model of whether the pattern is that of the base's faces, or None."""
+    if own[0] in known.cubes and all(node in known.states for node in own):
+        return int(MAP_28_wrong(known, nodes, own) > 0)
     return None
 
 def MAP_29_motion(cuts, former, k, r):

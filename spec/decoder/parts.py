@@ -8,7 +8,7 @@ import xxhash
 
 from attr import COLOUR, MEASURES, Attribute
 from attr_colors import ATTR_46_value
-from coder import BitModel, Coder, NumberModel, States
+from coder import BitModel, Coder, CountedBit, NumberModel, States
 from container import (CNT_1_stream, CNT_2_checked, CNT_4_chunks, HIGHPASS, Header, Reader, VOXELS, must,
                        unzigzag)
 from graph import MAP_11_ends
@@ -33,13 +33,13 @@ class Map:
             self.states.append(self.decode(self.primers[-1], self.states[-1])[1])
         r.end()
 
-    def decode(self, coded, before, beside=None):
-        """A part's mesh [MAP-7, MAP-11], and the models that it leaves; `before` are those that it begins with; `beside`: a base and which
-        faces of it are kept, or None."""
+    def decode(self, coded, before, base=None):
+        """A part's mesh [MAP-7, MAP-11], and the models that it leaves; `before` are those that it begins with; `base`: what it is coded beside, or None."""
         ((header, chunks), border), states = coded, States(before)
-        known = Known(*beside, header) if beside and header.coder == VOXELS else None  # [MAP-26]
+        known = Known(base, header) if base and header.coder == VOXELS else None  # [MAP-26]
         mesh = decode_chunks(header, copy.deepcopy(chunks), states, known)
-        mesh.border = MAP_11_border(self, mesh, Coder(Reader(border)), states) if border else {}
+        mesh.of_stream = mesh.positions.copy()
+        mesh.border = MAP_11_border(self, mesh, Coder(Reader(border)), states, base) if border else {}
         return mesh, states.after
 
     def corner(self, key):
@@ -52,21 +52,21 @@ class Map:
         seed = xxhash.xxh3_64_intdigest(struct.pack("<QBiii", self.hash, *key))
         return CNT_2_checked(octets, tag, seed, before)
 
-    def MAP_7_part(self, key, octets, beside=None):
+    def MAP_7_part(self, key, octets, base=None):
         """The mesh of a part, relative to the map's origin; `key` is (level, x, y, z)."""
         if octets[:1] == b"\4":
             return MAP_17_part(self, key, octets)
         r = Reader(self.checked(key, octets))
         if octets[0] & 1:
             must(octets[0] == 1 and octets[1] < len(self.primers) and len(octets) == 6, "MAP-7", "no primer")
-            return self.decode(self.primers[octets[1]], self.states[octets[1]], beside)[0]
+            return self.decode(self.primers[octets[1]], self.states[octets[1]], base)[0]
         header = PartHeader(r, self.corner(key), self.primers[-1][0][0] if self.primers else None)
         border, shapes = r.bytes(r.varint()), iter(self.attributes)
         chunks = CNT_4_chunks(r, header, lambda _: next(shapes, None))
         tags = [chunk.tag for chunk in chunks]
         must(tags.count("ATTR") == len(self.attributes), "MAP-7", f"{tags.count('ATTR')} attributes")
         must("ORDR" not in tags, "MAP-7", "a part with an order")
-        return self.decode(((header, chunks), border), self.states[-1], beside)[0]
+        return self.decode(((header, chunks), border), self.states[-1], base)[0]
 
 class PartHeader(Header):
     """[MAP-7]"""
@@ -89,14 +89,27 @@ class PartHeader(Header):
         by = [math.floor((c - o) / s) for c, o, s in zip(self.corner, self.lattice_origin, self.steps)]
         return [f + (b if abs(b) <= 2**48 else 0) for f, b in zip(super().first_point(r), by)]
 
-def MAP_11_border(lattice, mesh, coder, states):
+def MAP_11_former(base):
+    """Of the base's positions, as bytes: point and twin of the first vertex there, or None."""
+    former = {}
+    for v, position in enumerate(base.of_stream if base else []):
+        former.setdefault(position.tobytes(), base.border.get(v))
+    return former
+
+def MAP_11_border(lattice, mesh, coder, states, base=None):
     """Moves the border's vertices to their points; their points and twins."""
     learnt = states.models("border", bits=[BitModel(2**8)] + [BitModel(2**15) for _ in range(6)], twin=NumberModel(),
                            ways=[NumberModel() for _ in range(6)])
     nearest = np.clip(np.floor(mesh.positions / lattice.step + 0.5), 1 - 2**24, 2**24 - 1).astype(int)
     header, points, twins = mesh.header, {}, {}
+    former, is_same, unmoved = MAP_11_former(base), CountedBit(64000), [CountedBit(256)] + [CountedBit(2048) for _ in range(6)]
     for v, on, context in MAP_11_ends(mesh.faces, len(nearest), points):
-        if not learnt.bits[0 if context is None else 1 + context].decode(coder):
+        place = mesh.positions[v].tobytes()
+        if former.get(place) and is_same.decode(coder):
+            points[v], twins[v] = np.array(former[place][0]), former[place][1]
+            continue
+        bits = unmoved if former.get(place, True) is None else learnt.bits
+        if not bits[0 if context is None else 1 + context].decode(coder):
             continue
         twins[v], expected = learnt.twin.decode(coder), nearest[v]
         if header.coder == HIGHPASS and on:

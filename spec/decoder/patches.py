@@ -37,10 +37,14 @@ def MAP_17_part(described, key, octets):
 
 def MAP_17_apply(described, key, base, base_hash, patch):
     r = Reader(described.checked(key, patch, "MAP-17", base_hash))
-    plan, octets = Coder(Reader(r.bytes(r.varint()))), r.rest()
+    plan, octets = r.bytes(r.varint()), r.rest()
     must(octets[:1] != b"\4", "MAP-17", "the inserted part is patched")
+    if not plan:
+        must(octets, "MAP-17", "neither a plan nor a part")
+        return described.MAP_7_part(key, octets, base)
+    plan = Coder(Reader(plan))
     stays = MAP_17_staying(plan, base.faces)
-    inserted = described.MAP_7_part(key, octets, (base, stays)) if octets else no_part_like(base)
+    inserted = described.MAP_7_part(key, octets) if octets else no_part_like(base)
     must(base.groups is None and inserted.groups is None, "MAP-17", "groups of faces")
     must(any(stays), "MAP-17", "no face stays")
     kept = [face for face, stay in zip(base.faces, stays) if stay]
@@ -112,7 +116,7 @@ def MAP_17_put_together(base, kept, inserted, joins):
     new_number = {v: number[u] for v, u in joins.items()} | {v: len(rows) + i for i, v in enumerate(new)}
     mesh = Mesh()
     mesh.header, mesh.exact, mesh.groups = base.header, False, None
-    mesh.positions = np.concatenate([base.positions[rows], inserted.positions[new]])
+    mesh.positions = mesh.of_stream = np.concatenate([base.positions[rows], inserted.positions[new]])
     mesh.attributes = copy.deepcopy(base.attributes)
     for mine, a, b in zip(mesh.attributes, base.attributes, inserted.attributes):
         mine.values = np.concatenate([a.values[rows], b.values[new]])

@@ -133,6 +133,7 @@ def of_patches(square, rng):
         octets = b"\4" + square.key + varint(len(octets)) + octets
     yield square.file(octets)
     yield square.file(square.patched(plan, square.patched(plan, b"")))
+    yield square.file(square.patched(b"", b""))
     groups = line("fgrp.md", "compact", bytes)
     yield square.file(square.patched(plan, b"", square.sealed(square.octets[:-4] + b"\x23" + varint(len(groups)) + groups)))
     yield square.file(square.patched(plan, b"")[:-1] + b"\0")
@@ -140,16 +141,15 @@ def of_patches(square, rng):
         yield by_chance(plan, lambda plan, inserted=square.octets * (i % 2): square.file(square.patched(plan, inserted)), rng.randrange(10), rng)
 
 
-def beyond_bricks(far, rng):
-    """Vertices of `far` are in more bricks of the inserted part's grid than these may be."""
+def beyond_bricks(far):
+    """Vertices of `far` are in more bricks of the grid of a part beside it than these may be."""
     r = Reader(far.before[1:])
     for _ in range(4):
         r.varint()
     counts, lattice = bytes([4, 5, 0, 1]), r.rest()
     grid = line("map.md", "grid", bytes)
     inserted = far.sealed(bytes([far.before[0] & 0x3f | VOXELS << 6]) + counts + lattice + b"\1\0\x29" + varint(len(grid)) + grid + b"\x27\0")
-    for first in range(8):
-        yield by_chance(line("map.md", "plan", bytes), lambda plan: far.file(far.patched(plan, inserted)), first, rng)
+    yield far.file(far.patched(b"", inserted))
 
 
 def candidates(program):
@@ -162,7 +162,7 @@ def candidates(program):
     yield from of_messages()
     yield from of_parts(square, strip, rng)
     yield from of_patches(square, rng)
-    yield from beyond_bricks(far, rng)
+    yield from beyond_bricks(far)
 
 
 def main():

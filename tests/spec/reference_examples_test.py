@@ -100,30 +100,30 @@ def stream():
     return decode_chunks(header, chunks, States())
 
 
-def coloured(which, positions):
-    """A mesh of the example of what is coded beside a base."""
-    colours = SimpleNamespace(kind=1, type="u1", k=3, name=b"", values=np.array(line("map.md", f"{which}-colours"), dtype="u1").reshape(-1, 3))
-    return SimpleNamespace(positions=np.float32(positions), faces=triples(line("map.md", f"{which}-faces")), attributes=[colours])
+def mesh_of(which):
+    """A mesh of the examples of patches, without attributes."""
+    positions = np.float32(triples(line("map.md", f"{which}-q")))
+    return SimpleNamespace(positions=positions, of_stream=positions, faces=triples(line("map.md", f"{which}-faces")), attributes=[])
 
 
-def beside_a_base():
-    """The example of map.md of what is coded beside a base."""
-    base, plan = coloured("base", triples(line("map.md", "base-q"))), Coder(Reader(line("map.md", "plan", bytes)))
+def patches():
+    """The examples of map.md of a patch with a plan and of a part beside its base."""
+    base, new, plan = mesh_of("base"), mesh_of("new"), Coder(Reader(line("map.md", "plan", bytes)))
     stays = MAP_17_staying(plan, base.faces)
     yield "map.md kept", stays, line("map.md", "kept")
-    header = lattice(VOXELS, 5, cells=[8, 8, 8], levels=2, triangles=4)
-    known = Known(base, stays, header)
-    faces, points = GRD_12_read({"GRID": chunk("map.md", "grid"), "CONN": Chunk()}, header, States(), known)
-    yield "map.md faces of the inserted part", faces, line("map.md", "new-faces")
-    yield "map.md positions of the inserted part", points, line("map.md", "new-q")
-    new = coloured("new", points)
-    kept = [face for face, stay in zip(base.faces, stays) if stay]
-    joins = MAP_17_joined(plan, base, kept, new)
+    joins = MAP_17_joined(plan, base, [face for face, stay in zip(base.faces, stays) if stay], new)
     plan.CMP_3_end()
     yield "map.md joined", [joins.get(v, -1) for v in range(5)], line("map.md", "joined")
-    surface = Surface(SEAM_1_read(Chunk(), faces, 5, 5), new.positions, faces, new.attributes, States(), known)
-    yield "map.md colours", ATTR_2_values(Chunk(is_compact=True, data=line("map.md", "colours", bytes), descriptor=new.attributes[0]), surface), \
-        line("map.md", "new-colours")
+    colours = SimpleNamespace(kind=1, type="u1", k=3, name=b"", values=np.array(triples(line("map.md", "base-colours")), dtype="u1"))
+    base.attributes = [colours]
+    header = lattice(VOXELS, 6, cells=[8, 8, 8], levels=2, triangles=8)
+    known = Known(base, header)
+    faces, points = GRD_12_read({"GRID": chunk("map.md", "grid"), "CONN": Chunk()}, header, States(), known)
+    yield "map.md faces beside a base", faces, line("map.md", "whole-faces")
+    yield "map.md positions beside a base", points, line("map.md", "whole-q")
+    surface = Surface(SEAM_1_read(Chunk(), faces, 6, 6), np.float32(points), faces, [colours], States(), known)
+    yield "map.md colours", ATTR_2_values(Chunk(is_compact=True, data=line("map.md", "colours", bytes), descriptor=colours), surface), \
+        line("map.md", "whole-colours")
 
 
 def examples():
@@ -168,7 +168,7 @@ def examples():
     yield "map.md fragments", list(MAP_25_whole(pieces[::-1])), list(message)
     yield "map.md fragments but one", [MAP_25_whole(pieces[1:])], [None]
     yield "map.md no fragments", [MAP_25_whole([])], [None]
-    yield from beside_a_base()
+    yield from patches()
     mesh = stream()
     yield "format.md faces", mesh.faces, line("format.md", "faces")
     yield "format.md positions", mesh.positions, line("format.md", "positions", np.float32)
