@@ -91,14 +91,14 @@ TEST(MapExamples, MAP23MAP25APoseInFragments) {
 /// The examples of patches.
 class PatchExamples : public testing::Test {
  protected:
-  static Mesh mesh_of(const std::string& which, const std::string& faces) {
+  static Mesh mesh_of(const std::string& which) {
     Mesh mesh;
     mesh.positions = line_of<float>("map.md", which + "-q");
-    mesh.triangles = line_of<std::uint32_t>("map.md", faces + "-faces");
+    mesh.triangles = line_of<std::uint32_t>("map.md", which + "-faces");
     return mesh;
   }
   static Mesh colored_mesh_of(const std::string& which) {
-    Mesh mesh = mesh_of(which, "base");
+    Mesh mesh = mesh_of(which);
     mesh.attributes.push_back({.kind = AttributeKind::kColor,
                                .type = ComponentType::kU8,
                                .components = 3,
@@ -113,14 +113,14 @@ class PatchExamples : public testing::Test {
   }
 
   const Mesh base_ = colored_mesh_of("base");
-  const Mesh new_ = colored_mesh_of("new");
+  const Mesh new_ = colored_mesh_of("whole");
   const KnownMesh known_{base_.positions, base_.triangles, base_.attributes};
   const PredictiveParameters parameters_{
       .kind = PositionKind::kVoxel, .lattice = {.cells = {8, 8, 8}}, .levels = 2};
 };
 
 TEST_F(PatchExamples, MAP17ThePlan) {
-  const Mesh inserted = mesh_of("inserted", "inserted");
+  const Mesh inserted = mesh_of("new");
   const PatchPlan plan{line_of<std::uint8_t>("map.md", "kept"), line_of<std::uint32_t>("map.md", "joined")};
   const auto bytes = bytes_of("map.md", "plan");
   EXPECT_EQ(write_patch_plan(base_, inserted, plan), bytes);
