@@ -122,13 +122,13 @@ Mesh waves_at(int time) {
   return mesh;
 }
 
-/// Voxels of 0.02, a ball on a slope that rolls.
+/// Voxels of 0.02: a ball, of which a part grows.
 Mesh voxels_at(int time) {
   const auto field = [&](int x, int y, int z) {
-    const float way[3] = {static_cast<float>(x) - 9 - static_cast<float>(time), static_cast<float>(y) - 9.3F,
+    const float way[3] = {static_cast<float>(x) - 9, static_cast<float>(y) - 9.3F,
                           static_cast<float>(z) - 8.6F};
-    const float ball = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]) - 5.2F;
-    return std::min(ball, static_cast<float>(z) - 4.1F - 0.1F * static_cast<float>(x));
+    const float grown = x > 11 ? 0.3F * static_cast<float>(time) : 0.0F;
+    return std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]) - 6.2F - grown;
   };
   const scenes::Surface surface = test::marched(field, 20);
   Mesh mesh;
@@ -152,7 +152,8 @@ void write_patched(const std::string& folder, const std::string& name, Mesh (*me
   MapReceiver receiver(1, description.id);
   receiver.set_view({.max_error = 0.002F, .color_error = 4.0F});
   for (int time = 0; time < 3; ++time) {
-    const std::vector<MapBlock> blocks = {{{0, 0, 0}, mesh_at(time)}};
+    const Mesh mesh = mesh_at(time);
+    const std::vector<MapBlock> blocks = {{{0, 0, 0}, mesh}};
     if (!sender.update(blocks)) std::abort();
     for (const double now : {time + 1.0, time + 1.4}) {
       if (!sender.hear(check(receiver.view_message()), now)) std::abort();
