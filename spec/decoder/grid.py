@@ -1,44 +1,17 @@
-"""GRID: surfaces in the cubes of a grid: grid.md. Nodes, and cubes by their lowest nodes, are triples; an edge is a pair of its axis and its first node."""
+"""GRID: surfaces in the cubes of a grid: grid.md but for what cubes.py has."""
 from collections import defaultdict, deque
 from logging import debug
 from types import SimpleNamespace
 
 from coder import Coder, CountedBit, Fresh, Mixture, NumberModel, States, SymbolModel, bits, clamp
 from container import must, unzigzag
+from cubes import FACES, brick_of, corner_of, edge_between, edge_of, moved
 from glue import CONN_8_faces
 from known import (MAP_28_beside, MAP_28_flag, MAP_28_fresh_beside, MAP_28_fresh_flag, MAP_28_fresh_pattern, MAP_28_fresh_sign, MAP_28_pattern,
                    MAP_28_sign, Moved, NothingKnown)
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
-
-def moved(node, axis, by):  # GRD-1
-    return tuple(x + by * (a == axis) for a, x in enumerate(node))
-
-def corner_of(cube, i):  # GRD-1
-    return cube[0] + (i & 1), cube[1] + (i >> 1 & 1), cube[2] + (i >> 2)
-
-def brick_of(node):  # GRD-1
-    return tuple(x >> 4 for x in node)
-
-def edge_of(cube, number):  # GRD-1
-    """The edge of a cube that has this number."""
-    k, i = divmod(number, 4)
-    return k, moved(moved(cube, (k + 1) % 3, i & 1), (k + 2) % 3, i >> 1)
-
-def first_corner(number):  # GRD-1
-    k, i = divmod(number, 4)
-    return (i & 1) << (k + 1) % 3 | (i >> 1) << (k + 2) % 3
-
-def edge_between(a, b):  # GRD-1
-    return next(e for e in range(12) if {a, b} == {first_corner(e), first_corner(e) | 1 << e // 4})
-
-def face_corners(axis, high):  # GRD-6
-    """Around a face of the cube, seen from outside."""
-    i, j, base = 1 << (axis + 1) % 3, 1 << (axis + 2) % 3, high << axis
-    return [base, base | (i if high else j), base | i | j, base | (j if high else i)]
-
-FACES = [face_corners(axis, high) for axis in range(3) for high in (0, 1)]
 
 def GRD_3_fresh(number):
     return CountedBit((49152, 24576, 8192, 4096)[min(number >> 3 & 7, 3)])

@@ -1,17 +1,11 @@
-"""What a part with voxel edges knows of its base: map.md, MAP-26 to MAP-30. Nodes, cubes and edges are those of grid.py."""
+"""What a part with voxel edges knows of its base: map.md, MAP-26 to MAP-30. Nodes, cubes and edges are those of cubes.py."""
 import math
 from collections import defaultdict
 from itertools import product
 
 from coder import CountedBit, Fresh, Mixture, SymbolModel, clamp
 from container import must
-
-CORNERS = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
-EDGES = [(first, first | 1 << k, k) for k in range(3) for a, b in ((0, 0), (1, 0), (0, 1), (1, 1))
-         for first in [a << (k + 1) % 3 | b << (k + 2) % 3]]
-
-def plus(node, step):  # MAP-27
-    return tuple(x + y for x, y in zip(node, step))
+from cubes import brick_of, corner_of, edge_of, moved
 
 class NothingKnown:  # MAP-26
     """A mesh that is not beside a base."""
@@ -28,12 +22,12 @@ class Known:
                 self.levels[edge], self.rows[edge] = level, v
         for face in mesh.faces:
             self.MAP_27_face([self.homes[v][0] for v in face])
-        nodes = [r for _, r in self.levels] + [plus(cube, by) for cube in self.cubes for by in product((-1, 0, 1), repeat=3)]
-        bricks = {tuple(x >> 4 for x in node) for node in nodes}
+        around = [tuple(c + d for c, d in zip(cube, by)) for cube in self.cubes for by in product((-1, 0, 1), repeat=3)]
+        bricks = {brick_of(node) for node in [r for _, r in self.levels] + around}
         must(len(bricks) <= min(64 + self.count // 16, 2**20 - 64), "MAP-27", "too many bricks of the base")
         for cube in self.cubes:
-            for first, last, k in EDGES * 8:
-                a, b = plus(cube, CORNERS[first]), plus(cube, CORNERS[last])
+            for k, a in [edge_of(cube, number) for number in range(12)] * 8:
+                b = moved(a, k, 1)
                 if (k, a) not in self.levels and (a in self.states) != (b in self.states):
                     self.states[a] = self.states[b] = self.states.get(a, self.states.get(b))
 
@@ -74,8 +68,7 @@ class Known:
             i, j = (k + 1) % 3, (k + 2) % 3
             n = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i])
             if n:
-                first, last = r, tuple(x + (axis == k) for axis, x in enumerate(r))
-                inside, outside = (first, last) if n > 0 else (last, first)
+                inside, outside = (r, moved(r, k, 1)) if n > 0 else (moved(r, k, 1), r)
                 self.states.setdefault(inside, 0)
                 self.states.setdefault(outside, 1)
 
@@ -131,14 +124,13 @@ def MAP_29_motion(cuts, former, k, r):
     """How many of the twelve cuts around have moved, and how many have not, as one number."""
     def at(axis, node):
         return cuts.get((axis, node)), former.get((axis, node))
-    pairs, unit = [], [tuple(int(a == b) for b in range(3)) for a in range(3)]
+    pairs = []
     for axis in {0, 1, 2} - {k}:
-        down = tuple(-x for x in unit[axis])
-        pairs += [at(k, plus(r, unit[axis])), at(k, plus(r, down))]
-        for end in (r, plus(r, unit[k])):
-            pairs += [at(axis, end), at(axis, plus(end, down))]
-    moved = [now != before for now, before in pairs if now is not None and before is not None]
-    return 3 * min(sum(moved), 2) + min(len(moved) - sum(moved), 2)
+        pairs += [at(k, moved(r, axis, 1)), at(k, moved(r, axis, -1))]
+        for end in (r, moved(r, k, 1)):
+            pairs += [at(axis, end), at(axis, moved(end, axis, -1))]
+    changes = [now != before for now, before in pairs if now is not None and before is not None]
+    return 3 * min(sum(changes), 2) + min(len(changes) - sum(changes), 2)
 
 class Moved:
     """[MAP-29] Levels of vertices that have former ones; symbols are levels without the lowest g bits."""

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "attributes/vertex_corners.h"
 #include "base/memory/large_vector.h"
+#include "topology/vertex_corners.h"
 
 namespace deltamesh {
 

@@ -6,6 +6,7 @@
 
 #include "base/memory/large_vector.h"
 #include "connectivity/groups/groups.h"
+#include "connectivity/order/order.h"
 #include "connectivity/plain/topology.h"
 #include "format/chunk/tags.h"
 #include "topology/weld.h"
@@ -67,6 +68,22 @@ std::vector<std::byte> code_face_groups(const MeshView& mesh, const CodedTopolog
   for (const std::uint32_t face : topology.connectivity.face_order) groups.push_back(mesh.face_groups[face]);
   if (is_plain) return write_plain_groups(groups);
   return write_face_groups(std::move(groups), topology.triangles(), topology.vertex_count());
+}
+
+/// Restores the input's order (without dropped vertices). `input_vertices`: of the mesh.
+MeshOrder original_order(const CodedTopology& topology, std::size_t input_vertices) {
+  std::vector<std::uint32_t> kept(input_vertices, kDropped);
+  for (const std::uint32_t v : topology.vertex_order()) kept[v] = 0;
+  std::uint32_t next = 0;
+  for (std::uint32_t& place : kept) {
+    if (place != kDropped) place = next++;
+  }
+  MeshOrder order;
+  order.vertices.reserve(next);
+  for (const std::uint32_t v : topology.vertex_order()) order.vertices.push_back(kept[v]);
+  order.faces = topology.connectivity.face_order;
+  order.rotation = topology.connectivity.face_rotation;
+  return order;
 }
 
 }  // namespace
@@ -138,21 +155,6 @@ CodedTopology in_grid_order(const MeshView& mesh, const CodedTopology& topology,
 
 SourceGeometry source_geometry(const MeshView& mesh, const CodedTopology& topology) {
   return {gather_positions(mesh, topology.geometric_input), edges_of(topology)};
-}
-
-MeshOrder original_order(const CodedTopology& topology, std::size_t input_vertices) {
-  std::vector<std::uint32_t> kept(input_vertices, kDropped);
-  for (const std::uint32_t v : topology.vertex_order()) kept[v] = 0;
-  std::uint32_t next = 0;
-  for (std::uint32_t& place : kept) {
-    if (place != kDropped) place = next++;
-  }
-  MeshOrder order;
-  order.vertices.reserve(next);
-  for (const std::uint32_t v : topology.vertex_order()) order.vertices.push_back(kept[v]);
-  order.faces = topology.connectivity.face_order;
-  order.rotation = topology.connectivity.face_rotation;
-  return order;
 }
 
 TopologyChunks code_topology_chunks(const MeshView& mesh, const EncodeOptions& options,

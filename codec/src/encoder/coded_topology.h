@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "connectivity/faces/faces.h"
-#include "connectivity/order/order.h"
 #include "connectivity/seams/seams.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/mesh.h"
@@ -73,10 +72,6 @@ CodedTopology in_grid_order(const MeshView& mesh, const CodedTopology& topology,
 
 /// What geometry coders get; `topology` must outlive it.
 SourceGeometry source_geometry(const MeshView& mesh, const CodedTopology& topology);
-
-/// The ORDR contents that restore the input's order (without dropped vertices). `input_vertices`: of the
-/// mesh.
-MeshOrder original_order(const CodedTopology& topology, std::size_t input_vertices);
 
 /// A coded topology as chunks.
 struct TopologyChunks {

@@ -70,6 +70,16 @@ float to_finite_float(double value) noexcept {
   return static_cast<float>(std::clamp(value, -kMost, kMost));
 }
 
+/// Sets the box to that of the lattice's points, as finite floats [HDR-8]. The header has passed
+/// check_header.
+void set_box_of_lattice(FileHeader& header) noexcept {
+  const PositionLattice& lattice = header.predictive.lattice;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    header.box_min[axis] = to_finite_float(lattice.at(axis, 0));
+    header.box_max[axis] = to_finite_float(lattice.at(axis, lattice.cells[axis]));
+  }
+}
+
 }  // namespace
 
 Box FileHeader::box() const noexcept {
@@ -121,14 +131,6 @@ Result<void> check_header(const FileHeader& header, const ByteReader& in) {
   DELTAMESH_CHECK(check_counts(header, in));
   DELTAMESH_CHECK(check_numbers(header, in));
   return header.geometry == kGeometryPredictive ? check_predictive(header, in) : check_highpass(header, in);
-}
-
-void set_box_of_lattice(FileHeader& header) noexcept {
-  const PositionLattice& lattice = header.predictive.lattice;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    header.box_min[axis] = to_finite_float(lattice.at(axis, 0));
-    header.box_max[axis] = to_finite_float(lattice.at(axis, lattice.cells[axis]));
-  }
 }
 
 }  // namespace deltamesh

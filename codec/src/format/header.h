@@ -71,8 +71,4 @@ Result<FileHeader> read_header(ByteReader& in);
 /// Checks every field against its range. `in`: where an error is. Errors: kInvalidStream [HDR-6 .. HDR-14].
 Result<void> check_header(const FileHeader& header, const ByteReader& in);
 
-/// Sets the box to that of the lattice's points, as finite floats [HDR-8]. The header has passed
-/// check_header.
-void set_box_of_lattice(FileHeader& header) noexcept;
-
 }  // namespace deltamesh

@@ -42,8 +42,37 @@ class PlaceWindow {
       for (int y = -kAround; y < kSide + kAround; ++y, nodes += kWidth)
         load_row(brick.rows[Brick::row_at(y, z)] >> (kMargin - kAround), nodes);
     // Those before are lower in z, else in y, else in x: the first 13 of those around.
-    for (unsigned way = 0; way < 13; ++way)
-      if (brick.near[way] != nullptr) load_places(*brick.near[way], way, bricks, places);
+    for (unsigned way = 0; way < 13; ++way) {
+      const Brick* const near = brick.near[way];
+      if (near == nullptr) continue;
+      visit_cuts(*near, way, [&](unsigned slot, unsigned axis, int index) {
+        set(axis, index, places[bricks.vertex(*near, slot, axis)]);
+      });
+    }
+  }
+
+  /// Calls `visit(slot, axis, index)` for the cut edges of `other` that a window has: the slot of the edge's
+  /// first node there, the index here. `way`: from the window's brick, 0 to 26 by x, y, z.
+  template <class Visit>
+  static void visit_cuts(const Brick& other, unsigned way, const Visit& visit) {
+    const Spot shift = {(static_cast<int>(way % 3) - 1) * kSide, (static_cast<int>(way / 3 % 3) - 1) * kSide,
+                        (static_cast<int>(way / 9) - 1) * kSide};
+    const auto first = [&](std::size_t axis) { return shift[axis] < 0 ? kSide - kAround : 0; };
+    const auto end = [&](std::size_t axis) { return shift[axis] > 0 ? kAround : kSide; };
+    constexpr std::uint64_t kAxes = Brick::cut_bit(0, 0) | Brick::cut_bit(0, 1) | Brick::cut_bit(0, 2);
+    const std::uint64_t in_x = ((std::uint64_t{1} << end(0)) - (std::uint64_t{1} << first(0))) * kAxes;
+    for (int z = first(2); z < end(2); ++z) {
+      for (int y = first(1); y < end(1); ++y) {
+        const unsigned slot_of_row = row_slot(y, z);
+        for (std::uint64_t bits = other.cut[static_cast<std::size_t>(y + kSide * z)] & in_x; bits != 0;
+             bits &= bits - 1) {
+          const int bit = std::countr_zero(bits);
+          const int x = bit % kSide;
+          visit(slot_of_row + kSlots[0][static_cast<std::size_t>(x)], static_cast<unsigned>(bit / kSide),
+                at({x + shift[0], y + shift[1], z + shift[2]}));
+        }
+      }
+    }
   }
 
   /// Of an edge that had none.
@@ -72,29 +101,6 @@ class PlaceWindow {
         states[i] = kSpread[row >> (Brick::kInsideShift + 8 * i) & 255] + 2 * kSpread[row >> 8 * i & 255];
     }
     std::memcpy(nodes, states.data(), kWidth);
-  }
-
-  void load_places(const Brick& other, unsigned way, const Bricks& bricks,
-                   std::span<const std::int8_t> places) {
-    const Spot shift = {(static_cast<int>(way % 3) - 1) * kSide, (static_cast<int>(way / 3 % 3) - 1) * kSide,
-                        (static_cast<int>(way / 9) - 1) * kSide};
-    const auto first = [&](std::size_t axis) { return shift[axis] < 0 ? kSide - kAround : 0; };
-    const auto end = [&](std::size_t axis) { return shift[axis] > 0 ? kAround : kSide; };
-    constexpr std::uint64_t kAxes = Brick::cut_bit(0, 0) | Brick::cut_bit(0, 1) | Brick::cut_bit(0, 2);
-    const std::uint64_t in_x = ((std::uint64_t{1} << end(0)) - (std::uint64_t{1} << first(0))) * kAxes;
-    for (int z = first(2); z < end(2); ++z) {
-      for (int y = first(1); y < end(1); ++y) {
-        const unsigned slot_of_row = row_slot(y, z);
-        for (std::uint64_t bits = other.cut[static_cast<std::size_t>(y + kSide * z)] & in_x; bits != 0;
-             bits &= bits - 1) {
-          const int bit = std::countr_zero(bits);
-          const auto axis = static_cast<unsigned>(bit / kSide);
-          const int x = bit % kSide;
-          const std::uint32_t vertex = bricks.vertex(other, slot_of_row + kSlots[0][x], axis);
-          set(axis, at({x + shift[0], y + shift[1], z + shift[2]}), places[vertex]);
-        }
-      }
-    }
   }
 
   std::array<std::uint8_t, kSize + 8> nodes_{};

@@ -4,6 +4,8 @@
 // Dispatch by format, and the checks that are common to all formats.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "base/guard.h"
@@ -12,7 +14,6 @@
 #include "deltamesh/io.h"
 #include "io/colors.h"
 #include "io/formats.h"
-#include "io/invalid_vertices.h"
 
 namespace deltamesh {
 namespace {
@@ -34,6 +35,65 @@ Result<Imported> read_as(std::span<const std::byte> bytes, FileFormat format, st
       return read_gltf(bytes, folder);
   }
   return Error{.code = ErrorCode::kUnknownFormat, .message = "no importer for this format"};
+}
+
+/// No stream can hold other vertices.
+bool is_finite(const Mesh& mesh, std::size_t vertex) noexcept {
+  const float* const p = &mesh.positions[3 * vertex];
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Drops the faces at vertices that are not finite, and tells the report how many.
+void drop_invalid_faces(Imported& imported) {
+  Mesh& mesh = imported.mesh;
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto corners = std::span(mesh.triangles).subspan(3 * t, 3);
+    if (!std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return is_finite(mesh, v); }))
+      continue;
+    std::copy(corners.begin(), corners.end(), &mesh.triangles[3 * kept]);
+    if (!mesh.face_groups.empty()) mesh.face_groups[kept] = mesh.face_groups[t];
+    ++kept;
+  }
+  imported.report.leave_out(LeftOutKind::kFaces, "at vertices that are not finite",
+                            mesh.triangle_count() - kept);
+  mesh.triangles.resize(3 * kept);
+  if (!mesh.face_groups.empty()) mesh.face_groups.resize(kept);
+}
+
+/// Drops such vertices where no face uses them, likewise. Others keep their order.
+void drop_invalid_unused(Imported& imported) {
+  Mesh& mesh = imported.mesh;
+  if (std::all_of(mesh.positions.begin(), mesh.positions.end(), [](float x) { return std::isfinite(x); }))
+    return;
+  const std::size_t count = mesh.vertex_count();
+  std::vector<bool> dropped(count);
+  for (std::size_t v = 0; v < count; ++v) dropped[v] = !is_finite(mesh, v);
+  for (const std::uint32_t v : mesh.triangles) dropped[v] = false;
+  const auto drops = static_cast<std::uint64_t>(std::count(dropped.begin(), dropped.end(), true));
+  if (drops == 0) return;
+  imported.report.leave_out(LeftOutKind::kElements, "vertices that are not finite and that no face uses",
+                            drops);
+
+  std::vector<float>& roundings = imported.roundings;
+  std::vector<std::uint32_t> renamed(count);
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < count; ++v) {
+    if (dropped[v]) continue;
+    renamed[v] = static_cast<std::uint32_t>(kept);
+    std::copy_n(&mesh.positions[3 * v], 3, &mesh.positions[3 * kept]);
+    if (!roundings.empty()) std::copy_n(&roundings[3 * v], 3, &roundings[3 * kept]);
+    for (Attribute& attribute : mesh.attributes) {
+      const std::size_t size = attribute.components * component_size(attribute.type);
+      std::memmove(&attribute.values[kept * size], &attribute.values[v * size], size);
+    }
+    ++kept;
+  }
+  mesh.positions.resize(3 * kept);
+  if (!roundings.empty()) roundings.resize(3 * kept);
+  for (Attribute& attribute : mesh.attributes)
+    attribute.values.resize(kept * attribute.components * component_size(attribute.type));
+  for (std::uint32_t& v : mesh.triangles) v = renamed[v];
 }
 
 Result<Imported> read_with(std::span<const std::byte> bytes, FileFormat format, std::string_view folder,

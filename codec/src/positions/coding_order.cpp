@@ -10,43 +10,10 @@
 #include <utility>
 
 #include "base/small_code.h"
+#include "topology/vertex_corners.h"
 
 namespace deltamesh {
 namespace {
-
-/// The faces at every vertex, in face order, each as its two other corners.
-class FaceStars {
- public:
-  struct Wing {
-    std::uint32_t next;      ///< the corner after the vertex
-    std::uint32_t previous;  ///< the corner before it
-  };
-
-  explicit FaceStars(const FaceList& list)
-      : offsets_(std::size_t{list.vertex_count} + 1), wings_(list.triangles.size()) {
-    for (const std::uint32_t v : list.triangles) ++offsets_[v];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& offset : offsets_) {
-      sum += offset;
-      offset = sum;
-    }
-    // Filled from the last face to the first, so that every offset ends where its run begins.
-    for (std::size_t f = list.triangles.size(); f > 0; f -= 3) {
-      const std::uint32_t* corner = list.triangles.data() + f - 3;
-      wings_[--offsets_[corner[2]]] = {corner[0], corner[1]};
-      wings_[--offsets_[corner[1]]] = {corner[2], corner[0]};
-      wings_[--offsets_[corner[0]]] = {corner[1], corner[2]};
-    }
-  }
-
-  std::span<const Wing> of(std::uint32_t vertex) const noexcept {
-    return {wings_.data() + offsets_[vertex], wings_.data() + offsets_[vertex + 1]};
-  }
-
- private:
-  std::vector<std::uint32_t> offsets_;
-  std::vector<Wing> wings_;
-};
 
 /// Vertices that wait, by how many faces have their two other corners placed: one, two, or more.
 class WaitingVertices {
@@ -85,7 +52,7 @@ class Placement {
  public:
   /// `known` is told of every vertex and its known faces.
   Placement(const FaceList& list, CodingOrder coding_order, KnownFaces& known)
-      : stars_(list),
+      : corners_(list.triangles, list.vertex_count),
         known_(known),
         places_(list.vertex_count),
         faces_(list.vertex_count),
@@ -110,18 +77,18 @@ class Placement {
     const auto now = static_cast<std::uint32_t>(order_.size());
     order_.push_back(v);
     faces_[v] = kPlaced;
-    const std::span<const FaceStars::Wing> wings = stars_.of(v);
+    const std::span<const Corner> corners = corners_.of(v);
     places_[v] = now;
-    known_.begin(now, static_cast<std::uint32_t>(wings.size()));
-    for (const FaceStars::Wing& wing : wings) {
-      const bool has_next = faces_[wing.next] == kPlaced;
-      const bool has_previous = faces_[wing.previous] == kPlaced;
-      if (has_next && has_previous) {
-        known_.add({now, places_[wing.next], places_[wing.previous]});
+    known_.begin(now, static_cast<std::uint32_t>(corners.size()));
+    for (const Corner& corner : corners) {
+      const bool has_next = faces_[corner.next] == kPlaced;
+      const bool has_before = faces_[corner.before] == kPlaced;
+      if (has_next && has_before) {
+        known_.add({now, places_[corner.next], places_[corner.before]});
       } else if (has_next) {
-        rise(wing.previous);
-      } else if (has_previous) {
-        rise(wing.next);
+        rise(corner.before);
+      } else if (has_before) {
+        rise(corner.next);
       }
     }
   }
@@ -130,7 +97,7 @@ class Placement {
     if (faces_[v] < WaitingVertices::kClasses) waiting_.add(v, ++faces_[v]);
   }
 
-  FaceStars stars_;
+  VertexCorners corners_;
   KnownFaces& known_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> places_;

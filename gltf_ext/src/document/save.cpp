@@ -7,7 +7,6 @@
 
 #include "base/try.h"
 #include "document/others.h"
-#include "io/gltf/content/named_files.h"
 #include "io/gltf/uri.h"
 
 namespace deltamesh::gltf {

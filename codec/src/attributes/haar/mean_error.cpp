@@ -23,7 +23,6 @@ struct StepForecast {
 constexpr StepForecast kOfPhotographs{137, 0.72};
 constexpr StepForecast kOfOneAxis{211, 0.95};
 constexpr double kTolerance = 0.01;
-constexpr std::uint32_t kMoreSteps = 4;
 
 }  // namespace
 
@@ -46,24 +45,11 @@ std::optional<CodedValues<std::byte>> write_haar_values(ComponentType type, cons
                    .tolerance = portable_log2(1 - kTolerance),
                    .trials = 12});
   std::optional<CodedValues<std::byte>> best;
-  double kept = 0;
   while (!bracket.is_done()) {
     auto trial = writer.code(static_cast<std::uint32_t>(bracket.setting()), type, start);
     const double reached = bounded_rms(type, rows, trial.values);
     if (about && reached < kAbout * rms && rms < kAbout * reached) return trial;
-    if (!bracket.tell(excess_of_load(reached / rms))) continue;
-    best = std::move(trial);
-    kept = reached;
-  }
-  // Levels are rounded, so that small errors do not quite grow with the step.
-  const auto step = static_cast<std::uint32_t>(bracket.best());
-  for (std::uint32_t i = 1; best && i <= kMoreSteps && kept < (1 - kTolerance) * rms; ++i) {
-    if (step + i > kMostHaarStep) break;
-    auto trial = writer.code(step + i, type, start);
-    const double reached = bounded_rms(type, rows, trial.values);
-    if (reached > rms || reached <= kept) continue;
-    best = std::move(trial);
-    kept = reached;
+    if (bracket.tell(excess_of_load(reached / rms))) best = std::move(trial);
   }
   return best;
 }

@@ -19,9 +19,9 @@
 #include "attributes/normals/residual.h"
 #include "attributes/normals/rule.h"
 #include "attributes/surface.h"
-#include "attributes/vertex_corners.h"
 #include "base/memory/large_vector.h"
 #include "entropy/coder/model.h"
+#include "topology/vertex_corners.h"
 
 namespace deltamesh {
 

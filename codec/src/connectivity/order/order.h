@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh {
@@ -26,5 +27,8 @@ std::vector<std::byte> write_order(MeshOrder order, std::span<const std::uint32_
 /// Errors: kTruncated, kInvalidStream where not a permutation [ORDR-*].
 Result<MeshOrder> read_order(std::span<const std::byte> payload, std::span<const std::uint32_t> triangles,
                              std::uint32_t vertex_count);
+
+/// From coded order back to the input's. `order` fits `mesh`: read_order() has checked it. O(size of it).
+Mesh restore_order(const Mesh& mesh, const MeshOrder& order);
 
 }  // namespace deltamesh

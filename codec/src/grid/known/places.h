@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -36,11 +35,15 @@ class KnownPlaces {
     cuts_.fill(PlaceWindow::kNoPlace);
     own_ = surface_->bricks().find(brick.at);
     for (unsigned way = 0; way < 27; ++way) {
-      const Spot step = {static_cast<int>(way % 3) - 1, static_cast<int>(way / 3 % 3) - 1,
-                         static_cast<int>(way / 9) - 1};
-      const Bricks::Place at = {brick.at[0] + step[0], brick.at[1] + step[1], brick.at[2] + step[2]};
-      if (const Brick* const known = surface_->bricks().find(at); known != nullptr)
-        load_brick(*known, {step[0] * kSide, step[1] * kSide, step[2] * kSide});
+      const Bricks::Place at = {brick.at[0] + static_cast<int>(way % 3) - 1,
+                                brick.at[1] + static_cast<int>(way / 3 % 3) - 1,
+                                brick.at[2] + static_cast<int>(way / 9) - 1};
+      const Brick* const known = surface_->bricks().find(at);
+      if (known == nullptr) continue;
+      PlaceWindow::visit_cuts(*known, way, [&](unsigned slot, unsigned axis, int index) {
+        cuts_[axis * PlaceWindow::kSize + static_cast<std::size_t>(index)] =
+            surface_->edge(*known, slot, axis).cut;
+      });
     }
   }
 
@@ -79,27 +82,6 @@ class KnownPlaces {
   CountedBit& is_same(unsigned motion) noexcept { return is_same_[motion]; }
 
  private:
-  void load_brick(const Brick& known, const Spot& shift) {
-    constexpr int kEnd = kSide + PlaceWindow::kAround;
-    const auto is_near = [](int x) { return x >= -PlaceWindow::kAround && x < kEnd; };
-    for (int z = 0; z < kSide; ++z) {
-      for (int y = 0; y < kSide; ++y) {
-        if (!is_near(y + shift[1]) || !is_near(z + shift[2])) continue;
-        for (std::uint64_t bits = known.cut[static_cast<std::size_t>(y + kSide * z)]; bits != 0;
-             bits &= bits - 1) {
-          const int bit = std::countr_zero(bits);
-          const int x = bit % kSide;
-          if (!is_near(x + shift[0])) continue;
-          const auto axis = static_cast<unsigned>(bit / kSide);
-          const KnownEdge& edge =
-              surface_->edge(known, row_slot(y, z) + kSlots[0][static_cast<std::size_t>(x)], axis);
-          const int at = PlaceWindow::at({x + shift[0], y + shift[1], z + shift[2]});
-          cuts_[axis * PlaceWindow::kSize + static_cast<std::size_t>(at)] = edge.cut;
-        }
-      }
-    }
-  }
-
   /// Most likely `former`.
   static SymbolModel near_model(unsigned symbols, unsigned former) noexcept {
     std::array<std::uint8_t, kSymbols> weights{};

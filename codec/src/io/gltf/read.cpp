@@ -17,13 +17,12 @@
 #include "io/formats.h"
 #include "io/gltf/attributes.h"
 #include "io/gltf/content/groups.h"
-#include "io/gltf/content/left_out.h"
-#include "io/gltf/content/named_files.h"
 #include "io/gltf/content/texture_transform.h"
 #include "io/gltf/document.h"
 #include "io/gltf/scene.h"
 #include "io/gltf/structure.h"
 #include "io/gltf/triangles.h"
+#include "io/gltf/uri.h"
 #include "io/io_error.h"
 #include "io/origin.h"
 
@@ -40,6 +39,26 @@ struct Part {
   std::size_t set = 0;
   std::uint32_t group = 0;
 };
+
+/// Tells `report` of materials (their names are kept), textures, skins, animations, cameras, lights and morph
+/// targets.
+void leave_out_parts(const Json& json, ReadReport& report) {
+  // A material of a name alone is what our own writer makes of a group's name.
+  std::uint64_t materials = 0;
+  if (const Json* const all = find(json, "materials"); all != nullptr && all->is_array())
+    for (const Json& material : *all)
+      materials += material.is_object() && material.size() <= material.count("name") ? 0 : 1;
+  report.leave_out(LeftOutKind::kElements, "materials", materials);
+  for (const char* const part : {"textures", "skins", "animations", "cameras"})
+    report.leave_out(LeftOutKind::kElements, part, array_size(json, part));
+  if (const Json* const extensions = find(json, "extensions"); extensions != nullptr)
+    if (const Json* const lights = find(*extensions, "KHR_lights_punctual"); lights != nullptr)
+      report.leave_out(LeftOutKind::kElements, "lights", array_size(*lights, "lights"));
+  std::uint64_t targets = 0;
+  for_each_primitive(
+      json, [&](const Json& primitive, std::size_t) { targets += array_size(primitive, "targets"); });
+  report.leave_out(LeftOutKind::kVertexValues, "morph targets", targets);
+}
 
 class Assembly {
  public:

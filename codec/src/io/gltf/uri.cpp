@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace deltamesh::gltf {
 namespace {
@@ -106,6 +107,24 @@ std::string uri_of_name(std::string_view name) {
     }
   }
   return uri;
+}
+
+std::vector<std::string> relative_uris(const Json& json) {
+  std::vector<std::string> uris;
+  for_each_object(json, [&](const Json& object, std::string_view) {
+    const Json* uri = find(object, "uri");
+    if (!uri || !uri->is_string()) return;
+    const auto& text = uri->get_ref<const std::string&>();
+    if (text.find(':') == text.npos) uris.push_back(text);
+  });
+  return uris;
+}
+
+std::vector<std::string> named_files(const Json& json) {
+  std::vector<std::string> files;
+  for (const std::string& uri : relative_uris(json))
+    if (auto path = relative_path_of(uri)) files.push_back(*std::move(path));
+  return files;
 }
 
 }  // namespace deltamesh::gltf

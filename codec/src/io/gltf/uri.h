@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// URIs of buffers and images: from data and file names, and back.
+// URIs of buffers and images: from data and file names, and back; those of an asset.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "io/gltf/json.h"
 
 namespace deltamesh::gltf {
 
@@ -25,5 +27,11 @@ std::string data_uri_of(std::span<const std::byte> bytes);
 
 /// A relative URI for the file name `name`.
 std::string uri_of_name(std::string_view name);
+
+/// The relative URIs of an asset, as they stand there.
+std::vector<std::string> relative_uris(const Json& json);
+
+/// The paths that they stand for, in the asset's folder.
+std::vector<std::string> named_files(const Json& json);
 
 }  // namespace deltamesh::gltf

@@ -39,8 +39,7 @@ double off_comb(double x, double origin, double distance) noexcept {
   return std::abs(turns - nearest(turns)) * distance;
 }
 
-}  // namespace
-
+/// Every `stride`th value of an axis, the first one among them, ascending. O(n): a radix sort.
 std::vector<float> sort_values(std::span<const Vec3> positions, std::size_t axis, std::size_t stride) {
   std::vector<std::uint32_t> keys;
   keys.reserve(positions.size() / stride + 1);
@@ -65,6 +64,8 @@ std::vector<float> sort_values(std::span<const Vec3> positions, std::size_t axis
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = value_of(keys[i]);
   return values;
 }
+
+}  // namespace
 
 const std::vector<float>& AxisValues::few(std::size_t axis) const {
   if (few_[axis].empty()) {

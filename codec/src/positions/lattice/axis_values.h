@@ -47,9 +47,6 @@ class AxisValues {
   mutable std::array<std::vector<float>, 3> sorted_;
 };
 
-/// Every `stride`th value of an axis, the first one among them, ascending. O(n): a radix sort.
-std::vector<float> sort_values(std::span<const Vec3> positions, std::size_t axis, std::size_t stride);
-
 /// An axis whose coordinates are all whole steps from `origin`, but for rounding.
 struct AxisGrid {
   double origin = 0;
