@@ -58,13 +58,13 @@ struct Version {
     return of;
   }
 
-  std::optional<CodedValues<std::byte>> write(double bound, bool is_known) const {
+  std::optional<CodedValues<std::byte>> write(double bound, bool is_known, double former = 0) const {
     std::vector<std::uint32_t> order(colors.size());
     std::iota(order.begin(), order.end(), 0U);
     const std::vector<std::byte> values = bytes_of(colors);
     const AttributeView view{.type = ComponentType::kU8, .components = 3, .name = {}, .values = values};
     return write_surface_colors(ComponentType::kU8, AttributeRows(view, order), bound, surface(is_known),
-                                nullptr, &attribute);
+                                nullptr, &attribute, former);
   }
 
   test::GraphMesh mesh = test::sheet(30, 30);
@@ -90,6 +90,27 @@ TEST(FormerColors, MAP30ColoursBesideFormerOnesKeepTheBoundInFewerBytes) {
       for (std::size_t c = 0; c < 3; ++c)
         EXPECT_LE(std::abs(std::to_integer<int>((*read)[3 * v + c]) - version.colors[v][c]), bound);
   }
+}
+
+/// What is off by more than the bound may stay as it was, and takes little then.
+TEST(FormerColors, MAP30FormerColoursMayStayWhereTheyAreOffByMore) {
+  const Version version;
+  const auto strict = version.write(2, true);
+  const auto loose = version.write(2, true, 17);
+  ASSERT_TRUE(strict && loose);
+  EXPECT_LT(2 * loose->bytes.size(), strict->bytes.size());
+  const auto read =
+      read_surface_colors(loose->bytes, ComponentType::kU8, 3, version.surface(true), {}, &version.attribute);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, loose->values);
+  for (std::size_t v = 0; v < version.colors.size(); ++v)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int now = std::to_integer<int>((*read)[3 * v + c]);
+      if (v % 5 == 0)
+        EXPECT_LE(std::abs(now - version.colors[v][c]), 2);
+      else
+        EXPECT_EQ(now, version.former[v][c]);
+    }
 }
 
 TEST(FormerColors, MAP30WhatIsNotKnownChangesNothing) {

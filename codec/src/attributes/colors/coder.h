@@ -35,13 +35,14 @@ template <class Coder>
 class ColorCoder {
  public:
   /// `surface` must outlive the coder. `copies`: whether colours may be copied; ignored by readers. `start`:
-  /// null for fresh models. `former`: of all vertices, or empty.
+  /// null for fresh models. `former`: of all vertices, or empty; a writer keeps those that are off by
+  /// `former_bound` at most.
   ColorCoder(Coder& coder, const AttributeSurface& surface, const ColorShape& shape, bool copies,
-             const ColorModels* start = nullptr, LargeVector<FormerColor> former = {})
+             const ColorModels* start = nullptr, LargeVector<FormerColor> former = {}, float former_bound = 0)
       : has_copies_(coder.bits(copies ? 1 : 0, 1) != 0),
         prediction_(surface),
         shape_(shape),
-        copies_(shape, start != nullptr ? start->copies : ColorCopyModels()),
+        copies_(shape, start != nullptr ? start->copies : ColorCopyModels(), former_bound),
         numbers_(coder, shape, start != nullptr ? start->numbers : ColorNumberModels()),
         former_(std::move(former)),
         colors_(surface.vertex_count()),

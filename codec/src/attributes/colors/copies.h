@@ -31,8 +31,10 @@ struct ColorCopyModels {
 template <class Coder>
 class ColorCopies {
  public:
-  explicit ColorCopies(const ColorShape& shape, ColorCopyModels start = {})
+  /// `former_bound`: a writer's, of former colours.
+  explicit ColorCopies(const ColorShape& shape, ColorCopyModels start = {}, float former_bound = 0)
       : shape_(shape),
+        former_bound_(former_bound),
         one_over_step_(1 / static_cast<float>(std::max(shape.step(), shape.top / 255))),
         models_(std::move(start)) {}
 
@@ -48,7 +50,8 @@ class ColorCopies {
     const Mixture<2> mixture{
         {&models_.symbols[0][contexts.models[0]], &models_.symbols[1][contexts.models[1]]},
         &models_.weights[contexts.weights]};
-    const unsigned choice = coder.symbol(Coder::kWrites ? first_within_bound(levels) : kNotCopied, mixture);
+    const unsigned choice =
+        coder.symbol(Coder::kWrites ? first_within_bound(levels, former != nullptr) : kNotCopied, mixture);
     if (choice >= count_) return CopyOutcome::kNone;
     levels = levels_of(candidates_[choice].color);
     return choice == 0 ? CopyOutcome::kFirst : CopyOutcome::kOther;
@@ -87,10 +90,11 @@ class ColorCopies {
             .weights = kind * ColorCopyModels::kWeightsOfKind + few * 2 + (outcome(0) == 0 ? 1 : 0)};
   }
 
-  unsigned first_within_bound(const ColorLevels& levels) const noexcept {
+  unsigned first_within_bound(const ColorLevels& levels, bool has_former) const noexcept {
     for (unsigned i = 0; i < count_; ++i) {
+      const float bound = i == 0 && has_former ? former_bound_ : static_cast<float>(shape_.bound);
       const FourFloats d = sizes_of(candidates_[i].color - floats_of(levels));
-      if (std::max(std::max(d[0], d[1]), std::max(d[2], d[3])) <= static_cast<float>(shape_.bound)) return i;
+      if (std::max(std::max(d[0], d[1]), std::max(d[2], d[3])) <= bound) return i;
     }
     return kNotCopied;
   }
@@ -143,6 +147,7 @@ class ColorCopies {
   }
 
   ColorShape shape_;
+  float former_bound_;
   float one_over_step_;
   ColorCopyModels models_;
   // For the next vertex:

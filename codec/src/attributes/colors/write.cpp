@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "attributes/colors/coder.h"
 #include "attributes/colors/colors.h"
@@ -119,7 +120,8 @@ void write_fields(ByteWriter& out, const ColorFields& fields) {
 
 std::optional<CodedValues<std::byte>> write_surface_colors(ComponentType type, const AttributeRows& rows,
                                                            double max_error, const AttributeSurface& surface,
-                                                           const ColorModels* start, const Attribute* known) {
+                                                           const ColorModels* start, const Attribute* known,
+                                                           double former_error) {
   const auto source = choose_levels(type, rows, max_error);
   if (!source) return std::nullopt;
   const ColorFields fields = find_fields(*source, static_cast<unsigned>(rows.components()));
@@ -129,10 +131,13 @@ std::optional<CodedValues<std::byte>> write_surface_colors(ComponentType type, c
   AttributeValues values(type, rows.components(), rows.count());
   CompactWriter writer;
   std::optional<ColorCoder<CompactWriter>> coder;
-  if (axes.count > 0)
-    coder.emplace(writer, surface, shape_of(fields, axes),
-                  copies_pay(source->levels, source->bound, surface.graph()), start,
-                  former_colors(surface, known, fields, axes));
+  if (axes.count > 0) {
+    auto former = former_colors(surface, known, fields, axes);
+    const double former_bound = former_error * (top_color_level(fields.bits) / 255.0);
+    const bool has_copies = !former.empty() || copies_pay(source->levels, source->bound, surface.graph());
+    coder.emplace(writer, surface, shape_of(fields, axes), has_copies, start, std::move(former),
+                  static_cast<float>(std::max<double>(former_bound, source->bound)));
+  }
   for (std::uint32_t v = 0; v < rows.count(); ++v) {
     ColorLevels by_axis{};
     for (std::size_t a = 0; a < axes.count; ++a) by_axis[a] = source->levels[v][axes.components[a]];
