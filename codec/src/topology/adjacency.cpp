@@ -3,7 +3,6 @@
 #include "topology/adjacency.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstddef>
 
@@ -84,31 +83,7 @@ Adjacency tidy(const Adjacency& graph) {
   return sorted;
 }
 
-/// Ascending, without a branch that depends on the numbers [Knuth, The art of computer programming 3, 5.3.4].
-void sort_six(std::uint32_t* row) noexcept {
-  const auto order = [](std::uint32_t& a, std::uint32_t& b) {
-    const std::uint32_t lower = std::min(a, b);
-    b = std::max(a, b);
-    a = lower;
-  };
-  std::array<std::uint32_t, 6> r;
-  std::copy_n(row, r.size(), r.begin());
-  order(r[0], r[5]);
-  order(r[1], r[3]);
-  order(r[2], r[4]);
-  order(r[1], r[2]);
-  order(r[3], r[4]);
-  order(r[0], r[3]);
-  order(r[2], r[5]);
-  order(r[0], r[1]);
-  order(r[2], r[3]);
-  order(r[4], r[5]);
-  order(r[1], r[2]);
-  order(r[3], r[4]);
-  std::copy_n(r.begin(), r.size(), row);
-}
-
-/// Ascending, for rows that are not long.
+/// Ascending, for rows that are not long and hardly out of order, as those of coded meshes are.
 void sort_short(std::span<std::uint32_t> row) noexcept {
   for (std::size_t i = 1; i < row.size(); ++i) {
     const std::uint32_t moved = row[i];
@@ -129,9 +104,7 @@ bool sort_rows(Adjacency& graph, ThreadTeam* team) {
                for (std::uint32_t v = begin; v < end; ++v) {
                  std::uint32_t* const row = neighbors + offsets[v];
                  std::uint32_t* const row_end = neighbors + offsets[v + 1];
-                 if (row_end - row == 6) {  // most
-                   sort_six(row);
-                 } else if (row_end - row <= kLong) {
+                 if (row_end - row <= kLong) {
                    sort_short({row, row_end});
                  } else {
                    has_own = true;
