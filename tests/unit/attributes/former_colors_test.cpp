@@ -58,13 +58,13 @@ struct Version {
     return of;
   }
 
-  std::optional<CodedValues<std::byte>> write(double bound, bool is_known, double former = 0) const {
+  std::optional<CodedValues<std::byte>> write(double bound, bool is_known, double former_error = 0) const {
     std::vector<std::uint32_t> order(colors.size());
     std::iota(order.begin(), order.end(), 0U);
     const std::vector<std::byte> values = bytes_of(colors);
     const AttributeView view{.type = ComponentType::kU8, .components = 3, .name = {}, .values = values};
     return write_surface_colors(ComponentType::kU8, AttributeRows(view, order), bound, surface(is_known),
-                                nullptr, &attribute, former);
+                                nullptr, &attribute, former_error);
   }
 
   test::GraphMesh mesh = test::sheet(30, 30);
