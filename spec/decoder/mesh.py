@@ -20,7 +20,7 @@ from seam import SEAM_1_read
 
 class Mesh:
     """`positions` (f32), `faces`, `groups` (or None) and `attributes` of the decoded mesh; `header`; `exact`, whether all
-    decoders have the same bits of positions; of a part of a map, `of_stream`, its positions before border vertices get their points."""
+    decoders have the same bits of positions; of a part of a map, `of_stream`, its positions with border vertices where its stream has them."""
 
 def GEO_1_round(positions):
     """Doubles to f32."""

@@ -38,8 +38,10 @@ class Map:
         ((header, chunks), border), states = coded, States(before)
         known = Known(base, header) if base and header.coder == VOXELS else None  # [MAP-26]
         mesh = decode_chunks(header, copy.deepcopy(chunks), states, known)
-        mesh.of_stream = mesh.positions.copy()
+        streamed = mesh.positions.copy()
         mesh.border = MAP_11_border(self, mesh, Coder(Reader(border)), states, base) if border else {}
+        mesh.of_stream = mesh.positions.copy()
+        mesh.of_stream[list(mesh.border)] = streamed[list(mesh.border)]
         return mesh, states.after
 
     def corner(self, key):

@@ -72,9 +72,8 @@ struct EncodeOptions {
   /// Models begin as here, not fresh; must outlive the call. Decoders need the same
   /// (deltamesh/model_states.h).
   const ModelStates* starting_states = nullptr;
-  /// What decoders have already of the surface: streams of grids take fewer bytes beside it, and vertices on
-  /// an edge of the grid where one of it stays are where that is, whatever was asked. Must outlive the call;
-  /// decoders need the same.
+  /// A mesh that decoders have too, such as an earlier version: streams of grids take fewer bytes beside it.
+  /// Must outlive the call; decoders need the same.
   const KnownMesh* known = nullptr;
   bool keep_order = false;         ///< the decoded mesh has the input's order of vertices and faces
   bool keep_unreferenced = false;  ///< keep vertices that no face uses

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// What a decoder has already that a stream is like.
+// A mesh that encoder and decoder share, to code a similar one beside it.
 #pragma once
 
 #include <cstdint>

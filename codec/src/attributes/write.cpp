@@ -78,13 +78,13 @@ std::optional<CodedAttribute> code_at_mean_error(const AttributeView& attribute,
   if (attribute.kind == AttributeKind::kColor) {
     // Errors are evenly spread over the whole numbers from -L to L.
     const double largest = std::floor(std::sqrt(0.25 + 3 * rms * rms) - 0.5);
-    // Former colours that have not changed have the errors that they had, which were within the mean.
+    // Unchanged colours have their former errors. The mean of these was within the bound; single ones exceed
+    // it.
     for (const double former : {3 * rms, 2 * rms, 0.0}) {
       bounded = code_compact(kSurfaceColors,
                              write_surface_colors(type, rows, largest, surface, color_models(settings.start),
                                                   settings.known, former));
-      if (settings.known == nullptr || !bounded || bounded_rms(type, rows, bounded->decoded.values) <= rms)
-        break;
+      if (!surface.has_known() || !bounded || bounded_rms(type, rows, bounded->decoded.values) <= rms) break;
     }
   } else {
     // Errors are evenly spread over all numbers from -L to L.

@@ -105,6 +105,11 @@ void Bricks::get_beyond(Brick& brick, unsigned place) {
   }
 }
 
+void Bricks::free_cubes() noexcept {
+  for (Brick* const brick : bricks_) brick->cubes = nullptr;
+  cubes_.free();
+}
+
 void Bricks::add_block(std::uint32_t& block) {
   block = block_count_++;
   const std::size_t first = block * kBlockNodes;

@@ -64,6 +64,10 @@ class Bricks {
  public:
   using Place = std::array<std::int32_t, 3>;
 
+  Bricks() = default;
+  Bricks(Bricks&&) = default;
+  Bricks& operator=(Bricks&&) = default;
+
   /// So that nothing moves while about so many vertices come.
   void reserve(std::size_t vertices) { vertices_.resize(vertices / 2 * kNodesOfTwo + 16 * kBlockNodes); }
 
@@ -131,8 +135,8 @@ class Bricks {
     return vertices_[std::size_t{brick.blocks[slot / kBlockNodes]} * kBlockNodes + slot % kBlockNodes][axis];
   }
 
-  /// Of all bricks, for which there is no further use.
-  void free_cubes() noexcept { cubes_.free(); }
+  /// Brick::cubes of all bricks: once no cube is coded any more.
+  void free_cubes() noexcept;
 
   /// By place: lowest z first, then y, then x.
   std::vector<Brick*> in_order() const;

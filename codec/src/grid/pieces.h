@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Memory for elements that come one by one and stay where they are.
+// Storage that grows and whose elements keep their addresses.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +27,7 @@ class Pieces {
   void free() noexcept { *this = {}; }
 
  private:
-  static constexpr std::size_t kFew = 64;
-  static constexpr std::size_t kLargePage = std::size_t{1} << 21;  ///< bytes; a piece fills one
+  static constexpr std::size_t kFew = 128;  ///< then a piece fills a large page
 
   std::vector<LargeVector<T>> pieces_;
   std::size_t count_ = 0;  ///< that were taken

@@ -76,7 +76,7 @@ class WaitingCubes {
     if (cubes_.size() - end_ < kFaces) [[unlikely]]
       move_to_front();
   }
-  /// Those that were taken make room, and there is as much for others as they take.
+  /// Moves waiting cubes to the front; doubles the array if they fill more than half of it.
   [[gnu::noinline]] void move_to_front() {
     std::copy(cubes_.begin() + static_cast<std::ptrdiff_t>(next_),
               cubes_.begin() + static_cast<std::ptrdiff_t>(end_), cubes_.begin());

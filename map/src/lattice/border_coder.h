@@ -42,21 +42,15 @@ struct BorderModels {
   BorderModels() {
     flags.fill(BitModel(1U << 15));
     flags[0] = BitModel(1U << 8);  // hardly ever inside
-    inside_flags.fill(CountedBit(2048));
-    inside_flags[0] = CountedBit(256);
   }
 
   void limit_counts(std::uint8_t most) noexcept {
-    is_former.limit_count(most);
-    for (CountedBit& flag : inside_flags) flag.limit_count(most);
     twins.length.limit_count(most);
     for (NumberModel& model : ways) model.length.limit_count(most);
     colors.limit_counts(most);
   }
 
   std::array<BitModel, kPlaces> flags;
-  CountedBit is_former{64000};                   ///< of unmoved vertices of the base's border
-  std::array<CountedBit, kPlaces> inside_flags;  ///< of others that have not moved
   NumberModel twins;
   std::array<NumberModel, 6> ways;  ///< by looseness and axis
   BorderColorModels colors;
@@ -68,7 +62,10 @@ class BorderCoder {
  public:
   /// All arguments must outlive the coder.
   BorderCoder(Coder& coder, BorderModels& models, const BorderView& view, const OpenEdges& edges)
-      : coder_(coder), models_(models), view_(view), edges_(edges), places_(view.nearest.size(), kInside) {}
+      : coder_(coder), models_(models), view_(view), edges_(edges), places_(view.nearest.size(), kInside) {
+    unmoved_flags_.fill(CountedBit(2048));
+    unmoved_flags_[0] = CountedBit(256);
+  }
 
   /// Codes `vertex`, those before it being coded; a reader appends to `border`, a writer takes the vertex
   /// from place `next`, which moves on. False where a point is beyond the lattice.
@@ -79,13 +76,13 @@ class BorderCoder {
     if (former < view_.base_border.size()) {
       BorderVertex same = view_.base_border[former];
       same.vertex = vertex;
-      if (coder_.bit(is_border && border[next] == same, models_.is_former)) {
+      if (coder_.bit(is_border && border[next] == same, is_same_)) {
         if constexpr (!Coder::kWrites) border.push_back(same);
         places_[vertex] = static_cast<std::uint32_t>(next++);
         return true;
       }
     }
-    is_border = former == BorderView::kUnmoved ? coder_.bit(is_border, models_.inside_flags[context])
+    is_border = former == BorderView::kUnmoved ? coder_.bit(is_border, unmoved_flags_[context])
                                                : coder_.bit(is_border, models_.flags[context]);
     if (!is_border) return true;
     if constexpr (!Coder::kWrites) border.push_back({.vertex = vertex, .point = {}, .twin = 0});
@@ -138,7 +135,9 @@ class BorderCoder {
   const BorderView& view_;
   const OpenEdges& edges_;
 
-  std::vector<std::uint32_t> places_;  ///< of every vertex coded, in the border
+  CountedBit is_same_{64000};                                    ///< of unmoved vertices of the base's border
+  std::array<CountedBit, BorderModels::kPlaces> unmoved_flags_;  ///< of others that are unmoved
+  std::vector<std::uint32_t> places_;                            ///< of every vertex coded, in the border
 };
 
 }  // namespace deltamesh

@@ -11,9 +11,9 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/encode.h"
-#include "deltamesh/known_mesh.h"
 #include "lattice/border_order.h"
 #include "lattice/border_payload.h"
+#include "lattice/known_base.h"
 #include "lattice/place_border.h"
 #include "lattice/source_colors.h"
 #include "part/as_primer.h"
@@ -83,10 +83,7 @@ class PartEncoder {
         rounded_(with_border_colors(part, quality.attributes)),
         source_(rounded_) {
     source_.origin = {};  // which all parts share
-    if (use.base != nullptr) {
-      known_positions_ = streamed_positions(*use.base);
-      known_ = {known_positions_, use.base->mesh.triangles, use.base->mesh.attributes};
-    }
+    if (use.base != nullptr) known_.emplace(*use.base);
     bounds_ = bounds_in_model_units(quality.bounds, measure_.geometric_count(), measure_.diagonal(),
                                     measure_.diagonal());
   }
@@ -95,7 +92,7 @@ class PartEncoder {
   /// have to be better than asked.
   Result<DecodedPart> run() {
     EncodeOptions options = options_for(quality_);
-    options.known = known_ ? &*known_ : nullptr;
+    options.known = known();
     Bracket bracket({.first = 1,
                      .least = kFinestShare,
                      .most = 1,
@@ -123,7 +120,7 @@ class PartEncoder {
  private:
   /// A part that is one of the primers costs no more than its number.
   Result<PartCandidate> code(EncodeOptions options) {
-    for (std::size_t i = 0; i < state_.primers.size(); ++i) {
+    for (std::size_t i = 0; !known_ && i < state_.primers.size(); ++i) {
       if (!may_be(state_.primers[i])) continue;
       options.starting_states = state_.models[i].start();
       DELTAMESH_TRY(Encoded encoded, encode(source_, options));
@@ -144,8 +141,7 @@ class PartEncoder {
   /// `primer`: which one `encoded` is, if any. No bytes where the border is not the primer's.
   Result<PartCandidate> finish(Encoded encoded, std::optional<std::size_t> primer) {
     const CodecModels& models = primer ? state_.models[*primer] : state_.models.back();
-    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start(),
-                                                       .known = known_ ? &*known_ : nullptr}));
+    DELTAMESH_TRY(Mesh decoded, decode(encoded.bytes, {.starting_states = models.start(), .known = known()}));
     auto border = border_in_order(part_, encoded.order);
     const MapLattice& lattice = state_.description.lattice;
     DELTAMESH_TRY(const BorderView view, view_border(encoded.bytes, decoded, lattice, use_.base));
@@ -185,6 +181,8 @@ class PartEncoder {
     return measure_.compare(positions, order);
   }
 
+  const KnownMesh* known() const noexcept { return known_ ? known_->mesh() : nullptr; }
+
   static QualityRequest scaled(QualityRequest request, double share) noexcept {
     for (auto* bound : {&request.vde, &request.lfe, &request.max_error})
       if (*bound) (*bound)->value *= share;
@@ -195,8 +193,7 @@ class PartEncoder {
   const MapPart& part_;
   const PartQuality& quality_;
   const PartUse& use_;
-  std::vector<float> known_positions_;
-  std::optional<KnownMesh> known_;
+  std::optional<KnownBase> known_;
   PartMeasure measure_;
   Mesh rounded_;
   MeshView source_;

@@ -22,11 +22,11 @@ struct DecodedPart {
   bool is_grid = false;              ///< its stream has faces in cubes
 };
 
-/// What a part is made for [MAP-17].
+/// What a part is made for [MAP-17]; one of both at most.
 struct PartUse {
-  const MapPart* base = nullptr;  ///< decoded, which the part is coded beside
-  /// Or, of what is inserted into a base, 1 for vertices that are joined to the base's, of which no error
-  /// counts, else 0.
+  const MapPart* base = nullptr;  ///< the decoded base that it is coded beside
+  /// Of what is inserted by a plan: 1 for every vertex that one of the base takes the place of, whose error
+  /// does not count, else 0.
   std::span<const std::uint8_t> is_joined{};
 };
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/try.h"
-#include "deltamesh/known_mesh.h"
 #include "lattice/border_payload.h"
+#include "lattice/known_base.h"
 #include "lattice/place_border.h"
 #include "patch/container.h"
 #include "patch/payload.h"
@@ -28,13 +28,8 @@ Result<MapPart> decode_whole(const MapCodec::State& state, const PartKey& key,
   const CodecModels& models = opened.primer ? state.models[*opened.primer] : state.models.back();
   DecodeOptions of_stream = options;
   of_stream.starting_states = models.start();
-  std::vector<float> known_positions;
-  std::optional<KnownMesh> known;
-  if (base != nullptr) {
-    known_positions = streamed_positions(*base);
-    known = {known_positions, base->mesh.triangles, base->mesh.attributes};
-    of_stream.known = &*known;
-  }
+  std::optional<KnownBase> known;
+  if (base != nullptr) of_stream.known = known.emplace(*base).mesh();
   DELTAMESH_TRY(part.mesh, decode(opened.stream, of_stream));
   const MapLattice& lattice = state.description.lattice;
   DELTAMESH_TRY(const BorderView view, view_border(opened.stream, part.mesh, lattice, base));

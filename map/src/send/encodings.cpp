@@ -193,6 +193,7 @@ Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& 
   std::optional<DecodedPart> part;
   if (base.is_grid) {
     auto made = encode_beside(codec_.state(), source.part, base.decoded, base.hash, asked);
+    ++encoded_;
     if (!made && is_ours(made.error())) return made.error();
     if (made) part = *std::move(made);
   }
@@ -202,10 +203,10 @@ Result<std::shared_ptr<const Encoding>> Encodings::make_patch(const SourcePart& 
     if (static_cast<double>(matched->new_faces.size()) > kMostNewFaces * triangles) return none;
     auto made =
         encode_patch(codec_.state(), source.part, {base.decoded, base.sources}, base.hash, *matched, asked);
+    ++encoded_;
     if (!made && is_ours(made.error())) return made.error();
     if (made) part = *std::move(made);
   }
-  ++encoded_;
   if (!part || static_cast<double>(part->coded.bytes.size()) > kWorthPatch * base.whole_rate * triangles)
     return none;
   std::vector<std::byte> patch = std::move(part->coded.bytes);

@@ -33,7 +33,7 @@ struct Encoding {
   PartKey base_key{};
   std::uint64_t base_hash = 0;  ///< of the base's octets
   double whole_rate = 0;        ///< bytes per triangle of the part without patches
-  bool is_grid = false;         ///< as DecodedPart::is_grid
+  bool is_grid = false;         ///< as DecodedPart::is_grid: newer versions are coded beside it
 };
 
 /// A version that was sent, or would be.

@@ -35,8 +35,8 @@ template <class Coder>
 class ColorCoder {
  public:
   /// `surface` must outlive the coder. `copies`: whether colours may be copied; ignored by readers. `start`:
-  /// null for fresh models. `former`: of all vertices, or empty; a writer keeps those that are off by
-  /// `former_bound` at most.
+  /// null for fresh models. `former`: of all vertices, or empty. `former_bound`: the largest error of
+  /// one that is copied; writers only.
   ColorCoder(Coder& coder, const AttributeSurface& surface, const ColorShape& shape, bool copies,
              const ColorModels* start = nullptr, LargeVector<FormerColor> former = {}, float former_bound = 0)
       : has_copies_(coder.bits(copies ? 1 : 0, 1) != 0),

@@ -31,7 +31,7 @@ struct ColorCopyModels {
 template <class Coder>
 class ColorCopies {
  public:
-  /// `former_bound`: a writer's, of former colours.
+  /// `former_bound`: the largest error of a former colour that is copied; writers only.
   explicit ColorCopies(const ColorShape& shape, ColorCopyModels start = {}, float former_bound = 0)
       : shape_(shape),
         former_bound_(former_bound),

@@ -32,9 +32,6 @@ constexpr std::align_val_t kAlignment{64};
 
 namespace {
 
-/// Smaller than some systems' large pages, which then are not used.
-constexpr std::size_t kLargePage = std::size_t{1} << 21;
-
 /// Smaller arrays are like any others.
 constexpr bool has_own_pages(std::size_t bytes) noexcept { return bytes >= kLargePage / 2; }
 

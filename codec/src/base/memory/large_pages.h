@@ -8,6 +8,9 @@
 
 namespace deltamesh {
 
+/// Smaller than some systems' large pages, which then are not used.
+inline constexpr std::size_t kLargePage = std::size_t{1} << 21;
+
 /// `bytes`, aligned to 64, with anything in them; throws std::bad_alloc. For arrays that will be filled: as
 /// little as the first byte may take up a whole large page.
 void* allocate_large(std::size_t bytes);

@@ -25,8 +25,8 @@ class KnownGrowth {
     for (std::size_t i = 0; i < flags_.size(); ++i) flags_[i] = (i / kOfMixed & 1) != 0 ? kLikely : kUnlikely;
     for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = (i & 1) != 0 ? kLikely : kUnlikely;
     patterns_ = {kLikely, kUnlikely};
-    for (std::size_t i = 0; i < empty_.size(); ++i)
-      empty_[i] = i < kOfMixed ? kUnlikely : CountedBit(kFreshEmpty[i % 4]);
+    for (std::size_t i = 0; i < beside_flags_.size(); ++i)
+      beside_flags_[i] = i < kOfMixed ? kUnlikely : CountedBit(kFreshBeside[i % 4]);
   }
 
   /// Cubes that had faces wait.
@@ -47,7 +47,7 @@ class KnownGrowth {
     if (known->cubes[place] == 0) {
       if ((before.outside & corners.known()) == 0 || (before.inside & corners.known()) == 0) return nullptr;
       const int count = std::popcount(corners.known());
-      return &empty_[wrong * kOfMixed + (count == 8 ? 2 : count > 4 ? 1 : 0) * 4 + beside];
+      return &beside_flags_[wrong * kOfMixed + (count == 8 ? 2 : count > 4 ? 1 : 0) * 4 + beside];
     }
     const unsigned is_mixed = corners.outside != 0 && corners.inside != 0 ? 1 : 0;
     const unsigned count = corners.known() == 255 ? 2 : corners.known() != 0 ? 1 : 0;
@@ -87,7 +87,7 @@ class KnownGrowth {
   static constexpr std::size_t kOfMixed =
       3 * 4;  ///< models of flags with the same `is_mixed` and those before
   /// Where corners have changed, by how many cubes across faces have none.
-  static constexpr std::array<std::uint16_t, 4> kFreshEmpty = {49152, 24576, 8192, 4096};
+  static constexpr std::array<std::uint16_t, 4> kFreshBeside = {49152, 24576, 8192, 4096};
 
   /// Those that are on the other side now, 3 at most.
   static unsigned wrong_corners(const Corners& now, const Corners& before) noexcept {
@@ -106,7 +106,7 @@ class KnownGrowth {
   std::uint32_t last_ = 0xffffffff;  ///< brick that find() was asked for, and what it found
   const Brick* known_ = nullptr;
   std::array<CountedBit, std::size_t{4} * 2 * kOfMixed> flags_;
-  std::array<CountedBit, 4 * kOfMixed> empty_;  ///< flags of cubes that had no faces
+  std::array<CountedBit, 4 * kOfMixed> beside_flags_;  ///< flags of cubes that had no faces
   std::array<CountedBit, std::size_t{4} * 3 * 16 * 2> signs_;
   std::array<CountedBit, 2> patterns_;  ///< by whether a corner has changed
 };

@@ -94,7 +94,7 @@ std::optional<KnownSurface> KnownSurface::make(const KnownMesh& mesh,
     if (surface->bricks_.count() > most) return std::nullopt;
   }
   for (const Cube& cube : surface->cubes_) {
-    surface->add_bricks_below(cube);
+    surface->add_bricks_around(cube);
     if (surface->bricks_.count() > most) return std::nullopt;
   }
   for (const Cube& cube : surface->cubes_) surface->settle(cube);
@@ -173,9 +173,8 @@ void KnownSurface::add_face(const Face& face) {
     bricks_.set_corners(brick, place, outside, inside);
 }
 
-/// Cubes beside this one, all of which have corners in common with it, then are in some brick: those that are
-/// higher have their lowest node at its corners.
-void KnownSurface::add_bricks_below(const Cube& cube) {
+/// Makes the bricks of the 26 cubes around. Cubes away from low sides have them already, by their corners.
+void KnownSurface::add_bricks_around(const Cube& cube) {
   const Spot spot = spot_of(cube.place);
   if (spot[0] > 0 && spot[1] > 0 && spot[2] > 0) return;
   for (int i = 0; i < 27; ++i) {

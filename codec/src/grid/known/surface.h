@@ -60,7 +60,7 @@ class KnownSurface {
 
   bool add_vertices(const KnownMesh& mesh, const PredictiveParameters& parameters, std::vector<Home>& homes);
   void add_face(const Face& face);
-  void add_bricks_below(const Cube& cube);
+  void add_bricks_around(const Cube& cube);
   Brick& brick_at(const Bricks::Place& at);
   void settle(const Cube& cube);
   static std::uint64_t number_of(const Brick& brick, unsigned place) noexcept {

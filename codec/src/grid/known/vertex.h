@@ -9,7 +9,7 @@
 
 namespace deltamesh {
 
-/// Its number in the known mesh, or this.
+/// In place of its number: there is none.
 inline constexpr std::uint32_t kNoKnownVertex = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace deltamesh

@@ -41,7 +41,7 @@ struct SenderOptions {
   const std::atomic<bool>* cancel =
       nullptr;  ///< ends messages_for() in the same way when true; must outlive it
   /// Whether a receiver keeps faces of older versions that are within its bounds of the newest source: whole
-  /// parts, or those that a patch leaves.
+  /// parts, or those that a patch with a plan leaves.
   bool keeps_good_enough = true;
 };
 
@@ -63,11 +63,11 @@ struct SenderCounts {
 /// not at all: then what is known of parts that no longer exist is forgotten. Where a receiver has another
 /// description of the map, of another lattice, say, and of an epoch that is not older, a new epoch begins,
 /// and all parts are encoded and sent anew: up to 8 times, then such views are refused. Whatever viewers say,
-/// a call encodes each part at most three times: as a patch, as a whole, and again where that cannot be as
-/// asked. What is kept of a part are encodings for present viewers' bounds and versions that receivers have.
-/// Views that ask nothing of colours get them exactly until blocks with 1000 faces have come; these decide,
-/// once for all parts, whether they are labels, which stay exact, or those of photographs (ColorContent). Not
-/// thread-safe.
+/// a call encodes each part at most four times: as a patch, beside its base and by a plan, as a whole, and
+/// again where that cannot be as asked. What is kept of a part are encodings for present viewers' bounds and
+/// versions that receivers have. Views that ask nothing of colours get them exactly until blocks with 1000
+/// faces have come; these decide, once for all parts, whether they are labels, which stay exact, or those of
+/// photographs (ColorContent). Not thread-safe.
 class MapSender {
  public:
   /// Errors: kInvalidArgument, those of MapCodec::open().
