@@ -27,7 +27,7 @@ class Pieces {
   void free() noexcept { *this = {}; }
 
  private:
-  static constexpr std::size_t kFew = 128;  ///< then a piece fills a large page
+  static constexpr std::size_t kFew = 64;  ///< then a piece fills a large page
 
   std::vector<LargeVector<T>> pieces_;
   std::size_t count_ = 0;  ///< that were taken
