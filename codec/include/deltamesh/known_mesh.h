@@ -16,8 +16,7 @@ namespace deltamesh {
 struct KnownMesh {
   std::span<const float> positions;          ///< n x 3, finite
   std::span<const std::uint32_t> triangles;  ///< m x 3, below n
-  /// Those of the stream, in its order, with n values each; or none. Colours within a bound on each vertex
-  /// take fewer bytes beside them.
+  /// Those of the stream, in its order, with n values each; or none. Colours take fewer bytes beside them.
   std::span<const Attribute> attributes{};
 };
 

@@ -15,7 +15,7 @@ namespace deltamesh::grid {
 template <class T>
 class Pieces {
  public:
-  /// One more, uninitialised.
+  /// One more element, uninitialised.
   T& take() {
     if (left_ == 0) {
       left_ = count_ < kFew ? std::max<std::size_t>(count_, 8) : kLargePage / sizeof(T);
@@ -27,7 +27,7 @@ class Pieces {
   void free() noexcept { *this = {}; }
 
  private:
-  static constexpr std::size_t kFew = 64;  ///< then a piece fills a large page
+  static constexpr std::size_t kFew = 64;  ///< elements; pieces after these fill a large page each
 
   std::vector<LargeVector<T>> pieces_;
   std::size_t count_ = 0;  ///< that were taken

@@ -30,8 +30,8 @@ struct BorderView {
   /// Bit a is set where the coordinate of axis a is on no plane of voxels, as far as is known.
   std::vector<std::uint8_t> loose;
   bool follows = false;  ///< ways to the points are expected to be those of neighbours
-  /// Beside a base, for every vertex: kMoved, or, where it is at the place of a vertex of the base, kUnmoved
-  /// or the place of that one in the base's border. Else empty.
+  /// Beside a base, for every vertex: its index in `base_border`; kUnmoved, if it is where a vertex of the
+  /// base is that is not on its border; else kMoved. Without a base empty.
   std::vector<std::uint32_t> former{};
   std::span<const BorderVertex> base_border{};
 };

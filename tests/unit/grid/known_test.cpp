@@ -129,8 +129,8 @@ CellMesh without(CellMesh mesh, bool (*goes)(std::int32_t, std::int32_t)) {
   return mesh;
 }
 
-/// Flags beside what was there have models of their own: where a surface ended it ends again, and where it
-/// grew most is new.
+/// Flags of cubes that had no faces have models of their own beside those that had: a surface that ended
+/// there ends there again.
 TEST(KnownSurface, MAP28EndsStayEnds) {
   const CellMesh mesh = test::wavy_surface(60, 2);
   const CellMesh holes = without(mesh, [](std::int32_t x, std::int32_t y) { return x % 9 < 4 && y % 9 < 4; });

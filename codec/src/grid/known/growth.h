@@ -29,7 +29,7 @@ class KnownGrowth {
       beside_flags_[i] = i < kOfMixed ? kUnlikely : CountedBit(kFreshBeside[i % 4]);
   }
 
-  /// Cubes that had faces wait.
+  /// Puts the cubes that had faces in the queue.
   void begin(Bricks& bricks, WaitingCubes& waiting) const {
     if (surface_ == nullptr) return;
     for (const KnownSurface::Cube& cube : surface_->cubes())
