@@ -59,7 +59,9 @@ void print_summary(const InfoArguments& arguments, const StreamInfo& info) {
   summary.add("components", grouped(info.components));
   const std::array<float, 3> sides{info.box_max[0] - info.box_min[0], info.box_max[1] - info.box_min[1],
                                    info.box_max[2] - info.box_min[2]};
-  summary.add("box", brief_list(sides, " x ") + ", diagonal " + brief(info.diagonal));
+  summary.add("box",
+              brief_list(sides, " x ") + (info.geometry == "grid" ? ", whole cubes of the grid"
+                                                                  : ", diagonal " + brief(info.diagonal)));
   add_extent(summary, info);
   summary.add("origin", brief_list(info.origin, " "));
   summary.add("checksums", "all match");  // inspect() fails where one does not

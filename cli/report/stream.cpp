@@ -39,11 +39,14 @@ void add_stream(nlohmann::ordered_json& object, const StreamInfo& info) {
   object["vde_rms"] = info.quality.vde_rms;
   object["lfe_rms"] = info.quality.lfe_rms;
   object["max_error"] = info.quality.max_error;
+  const auto or_null = [](double figure, double of) {
+    return of > 0 ? nlohmann::ordered_json(figure) : nullptr;
+  };
   const PaperQuality paper = paper_form(info.quality, info.geometric_vertices, info.diagonal);
-  object["vde_paper"] = paper.vde;
-  object["lfe_paper"] = paper.lfe;
-  object["diagonal"] = info.diagonal;
-  object["extent"] = info.extent;
+  object["vde_paper"] = or_null(paper.vde, info.diagonal);
+  object["lfe_paper"] = or_null(paper.lfe, info.diagonal);
+  object["diagonal"] = or_null(info.diagonal, info.diagonal);
+  object["extent"] = or_null(info.extent, info.extent);
   object["stray_vertices"] = info.stray_vertices;
   object["attributes"] = attributes_object(info);
 }

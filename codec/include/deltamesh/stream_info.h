@@ -57,9 +57,12 @@ struct StreamInfo {
   std::uint64_t triangles = 0;
   std::uint64_t components = 0;  ///< connected components of the welded mesh, isolated vertices included
   std::array<double, 3> origin{};
-  std::array<float, 3> box_min{};  ///< bounding box relative to `origin`; of a lattice, where there is one
+  /// Bounding box relative to `origin`: that of the source in what encode() reports, else that of the
+  /// lattice, where there is one.
+  std::array<float, 3> box_min{};
   std::array<float, 3> box_max{};
-  double diagonal = 0;  ///< of that box
+  double diagonal =
+      0;  ///< of that box; 0 where it is that of whole cubes of a grid, which may be much larger
   /// Vertices far from all others, as of a sensor's failed reading, and the diagonal of the rest, which
   /// percents were of; the same as `diagonal` without strays.
   std::uint64_t stray_vertices = 0;

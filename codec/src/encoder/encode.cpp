@@ -120,6 +120,18 @@ std::uint64_t count_colors(const MeshView& mesh) {
   return count;
 }
 
+/// What a stream says of itself, and the box, of which a stream may have but that of its lattice.
+Result<StreamInfo> report_of(std::span<const std::byte> bytes, const SourceGeometry& source) {
+  DELTAMESH_TRY(StreamInfo info, inspect(bytes));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    info.box_min[axis] = static_cast<float>(source.box.min[axis]);
+    info.box_max[axis] = static_cast<float>(source.box.max[axis]);
+  }
+  info.diagonal = source.box.diagonal();
+  info.extent = source.extent.diagonal;
+  return info;
+}
+
 /// `mesh` and `options` have been checked.
 Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& options) {
   Progress progress(options.progress);
@@ -148,7 +160,7 @@ Result<Encoded> encode_checked(const MeshView& mesh, const EncodeOptions& option
   encoded.report.input_vertices = mesh.vertex_count();
   encoded.report.unreferenced_vertices = topology.unreferenced;
   encoded.report.dropped_lengths = count_dropped_lengths(mesh, options);
-  DELTAMESH_TRY(encoded.report.stream, inspect(encoded.bytes));
+  DELTAMESH_TRY(encoded.report.stream, report_of(encoded.bytes, source));
   progress.reach(1, 1);
   return encoded;
 }

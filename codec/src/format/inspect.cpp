@@ -88,7 +88,7 @@ StreamInfo summarize(const Container& container) {
   info.origin = h.origin;
   info.box_min = h.box_min;
   info.box_max = h.box_max;
-  info.diagonal = h.box().diagonal();
+  info.diagonal = is_of_grid(h) ? 0 : h.box().diagonal();
   read_extent(info, container);
   info.keeps_order = h.keeps_order;
   if (h.geometry == kGeometryPredictive) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "deltamesh/compare.h"
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "scenes.h"
@@ -240,6 +241,22 @@ TEST(GridStream, BoundsAndBytesAreKept) {
   ASSERT_TRUE(colored) << colored.error().message;
   EXPECT_LE(colored->bytes.size(), 9000U);
   for (const auto* encoded : {&*vde, &*lfe, &*bytes, &*colored}) EXPECT_TRUE(decode(encoded->bytes));
+}
+
+TEST(GridStream, ABoxOfCubesIsNotTakenForThatOfTheMesh) {
+  const Mesh mesh = rooms(1000);
+  const auto encoded = encode(mesh);
+  ASSERT_TRUE(encoded);
+  ASSERT_EQ(encoded->report.stream.geometry, "grid");
+  const auto compared = compare(mesh, *decode(encoded->bytes));
+  ASSERT_TRUE(compared);
+  EXPECT_NEAR(encoded->report.stream.diagonal, compared->diagonal, 1e-9);
+  EXPECT_EQ(encoded->report.stream.extent, encoded->report.stream.diagonal);
+  const auto told = inspect(encoded->bytes);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->diagonal, 0);
+  EXPECT_LE(told->box_min[0], encoded->report.stream.box_min[0]);
+  EXPECT_GE(told->box_max[0], encoded->report.stream.box_max[0]);
 }
 
 TEST(GridStream, LimitsAreKept) {
