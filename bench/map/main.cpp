@@ -3,6 +3,7 @@
 //
 // Updates of maps: bytes and times beside raw triangles, Draco block by block and our own streams block by
 // block; and what need not be sent as it is good enough. Whole maps in parts: bytes beside one stream.
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct Settings {
   std::vector<double> part_edges = {8, 4, 2, 1};
   std::vector<std::string> folders;
   std::string wholes;
+  std::array<double, 3> origin{};
   std::vector<std::string> splits;
   double voxel = 0.04;
   std::uint64_t vertices = 50'000;
@@ -130,7 +132,7 @@ int run(const Settings& settings) {
   if (!settings.wholes.empty())
     for (const int voxels : {16, 8})
       run_updates(value_or_exit(cut_wholes(settings.wholes, "wholes, blocks of " + number(voxels),
-                                           settings.voxel, voxels)),
+                                           settings.voxel, voxels, settings.origin)),
                   settings);
   MapUpdates drive;
   if (settings.steps > 0)
@@ -153,6 +155,10 @@ int main(int argc, char** argv) {
   app.add_option("--sequence", settings.folders, "Folders with sequence.json");
   app.add_option("--wholes", settings.wholes,
                  "Folder of whole maps step_00.ply and so on, cut into blocks of 16 and 8 voxels");
+  app.add_option("--origin", settings.origin,
+                 "Of their blocks, metres: a node of the grid, so that blocks are cut between cubes")
+      ->delimiter(',')
+      ->capture_default_str();
   app.add_option("--split", settings.splits, "Whole maps, to have in parts beside one stream");
   app.add_option("--part-edges", settings.part_edges, "Of their largest parts, metres")
       ->delimiter(',')

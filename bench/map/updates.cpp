@@ -31,7 +31,9 @@ std::vector<std::string> content_of(const Mesh& mesh) {
   return faces;
 }
 
-std::map<SequenceBlockId, Mesh> cut_in_blocks(const Mesh& mesh, double edge) {
+/// A face lies in the block that has its middle; the block with identifier 0 begins at `origin`.
+std::map<SequenceBlockId, Mesh> cut_in_blocks(const Mesh& mesh, double edge,
+                                              const std::array<double, 3>& origin) {
   std::map<SequenceBlockId, VertexPicker> pickers;
   for (std::size_t f = 0; f < mesh.triangle_count(); ++f) {
     const std::span corners = std::span(mesh.triangles).subspan(3 * f, 3);
@@ -39,7 +41,7 @@ std::map<SequenceBlockId, Mesh> cut_in_blocks(const Mesh& mesh, double edge) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       double sum = 0;
       for (const std::uint32_t v : corners) sum += double{mesh.positions[3 * std::size_t{v} + axis]};
-      id[axis] = static_cast<std::int32_t>(std::floor(sum / 3 / edge));
+      id[axis] = static_cast<std::int32_t>(std::floor((sum / 3 - origin[axis]) / edge));
     }
     VertexPicker& picker = pickers.try_emplace(id, mesh, false).first->second;
     for (const std::uint32_t v : corners) picker.add_corner(v);
@@ -68,15 +70,15 @@ Result<MapUpdates> read_updates(const std::string& folder, const std::string& na
 }
 
 Result<MapUpdates> cut_wholes(const std::string& folder, const std::string& name, double voxel,
-                              int block_voxels) {
-  MapUpdates updates{name, voxel, voxel * block_voxels, {}, {}, {}};
+                              int block_voxels, const std::array<double, 3>& origin) {
+  MapUpdates updates{name, voxel, voxel * block_voxels, origin, {}, {}};
   std::map<SequenceBlockId, Mesh> before;
   for (int i = 0;; ++i) {
     const std::string path = join({folder, i < 10 ? "/step_0" : "/step_", number(i), ".ply"});
     if (!std::filesystem::exists(path)) break;
     auto file = read_mesh_file(path);
     if (!file) return file.error();
-    auto blocks = cut_in_blocks(file->mesh, updates.block_metres);
+    auto blocks = cut_in_blocks(file->mesh, updates.block_metres, origin);
     SequenceStep& step = updates.steps.emplace_back();
     for (const auto& [id, block] : blocks) {
       const auto known = before.find(id);
@@ -98,7 +100,7 @@ Result<MapUpdates> rooms_at_once(std::uint64_t vertices) {
   const double voxel = scenes::plan_rooms(vertices).voxel;
   MapUpdates updates{"rooms", voxel, kDriveBlockVoxels * voxel, mesh->origin, {}, {}};
   SequenceStep& step = updates.steps.emplace_back();
-  for (auto& [id, block] : cut_in_blocks(*mesh, updates.block_metres))
+  for (auto& [id, block] : cut_in_blocks(*mesh, updates.block_metres, {}))
     step.changed.push_back({id, std::move(block)});
   updates.wholes.push_back(*std::move(mesh));
   return updates;

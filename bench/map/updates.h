@@ -4,6 +4,7 @@
 // Sequences of a map's updates, block by block: folders of updates, and whole maps cut into blocks.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -27,10 +28,10 @@ struct MapUpdates {
 /// A folder with sequence.json.
 Result<MapUpdates> read_updates(const std::string& folder, const std::string& name);
 
-/// A folder of whole maps step_00.ply, step_01.ply and so on: blocks of `block_voxels` voxels that are not as
-/// in the step before.
+/// A folder of whole maps step_00.ply, step_01.ply and so on: blocks of `block_voxels` voxels, counted from
+/// `origin`, that are not as in the step before.
 Result<MapUpdates> cut_wholes(const std::string& folder, const std::string& name, double voxel,
-                              int block_voxels);
+                              int block_voxels, const std::array<double, 3>& origin = {});
 
 /// One update: all blocks of generated rooms.
 Result<MapUpdates> rooms_at_once(std::uint64_t vertices);
