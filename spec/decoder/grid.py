@@ -7,8 +7,8 @@ from coder import Coder, CountedBit, Fresh, Mixture, NumberModel, States, Symbol
 from container import must, unzigzag
 from cubes import FACES, brick_of, corner_of, edge_between, edge_of, moved
 from glue import CONN_8_faces
-from known import (MAP_28_beside, MAP_28_flag, MAP_28_fresh_beside, MAP_28_fresh_flag, MAP_28_fresh_pattern, MAP_28_fresh_sign, MAP_28_pattern,
-                   MAP_28_sign, Moved, NothingKnown)
+from known import (FormerLevels, MAP_28_beside, MAP_28_flag, MAP_28_fresh_beside, MAP_28_fresh_flag, MAP_28_fresh_pattern, MAP_28_fresh_sign, MAP_28_pattern,
+                   MAP_28_sign, NothingKnown)
 from lattice import POSN_2_positions, POSN_3_known, POSN_8_table, PredictedCoder
 
 INSIDE, ONE_OVER = 12, (0, 256, 128, 85, 64)
@@ -201,16 +201,18 @@ class Levels:
         g = max(bits(self.levels - 1) - 4, 0)
         fresh = Mixture(even_weights(16))
         fresh.models = Fresh(GRD_10_fresh(((self.levels - 1) >> g) + 1))
-        models, moved_levels = states.models(("levels", self.levels), places=fresh).places, Moved(known, self.levels, g)
+        models, former = states.models(("levels", self.levels), places=fresh).places, FormerLevels(known, self.levels, g)
         def place(edge):
             (x, y, z), (bx, by, bz) = edge[1], brick_of(edge[1])
             return bz, by, bx, z, y, edge[0], x
         for k, r in sorted(surface.edges, key=place):  # [GRD-9]
             level = 0
             if self.levels > 1:
-                mixed, weights = models.of(*self.GRD_10_contexts(k, r))
-                is_known = (k, r) in known.levels  # [MAP-29]
-                symbol, level = moved_levels.decode(coder, (k, r), self.nodes[r], self.cuts, mixed[1]) if is_known else (coder.symbol(mixed, weights), None)
+                contexts, level = self.GRD_10_contexts(k, r), None
+                if (k, r) in known.levels:  # [MAP-29]
+                    symbol, level = former.decode(coder, (k, r), self.nodes[r], self.cuts, contexts[1])
+                else:
+                    symbol = coder.symbol(*models.of(*contexts))
                 if level is None:
                     level = symbol << g | coder.raw(g) if g else symbol
                 must(level < self.levels, "GRD-9", f"level {level}")

@@ -3,7 +3,7 @@ import math
 from collections import defaultdict
 from itertools import product
 
-from coder import CountedBit, Fresh, Mixture, SymbolModel, clamp
+from coder import CountedBit, Fresh, clamp
 from container import must
 from cubes import brick_of, corner_of, edge_of, moved
 
@@ -120,34 +120,53 @@ def MAP_28_pattern(known, nodes, own):
         return int(MAP_28_wrong(known, nodes, own) > 0)
     return None
 
-def MAP_29_motion(cuts, former, k, r):
-    """How many of the twelve cuts around have moved, and how many have not, as one number."""
-    def at(axis, node):
-        return cuts.get((axis, node)), former.get((axis, node))
-    pairs = []
+def MAP_29_motion(cuts, former, k, r, is_outside, symbols):
+    """Of the twelve cuts around: how many are still, 2 at most; the class of how many have moved, and how far; the way of the four beside."""
+    def ways(places):
+        return [cuts[at] - former[at] for at in places if at in cuts and at in former]
+    beside, across = [], []
     for axis in {0, 1, 2} - {k}:
-        pairs += [at(k, moved(r, axis, 1)), at(k, moved(r, axis, -1))]
-        for end in (r, moved(r, k, 1)):
-            pairs += [at(axis, end), at(axis, moved(end, axis, -1))]
-    changes = [now != before for now, before in pairs if now is not None and before is not None]
-    return 3 * min(sum(changes), 2) + min(len(changes) - sum(changes), 2)
+        beside += [(k, moved(r, axis, by)) for by in (1, -1)]
+        across += [(axis, moved(end, axis, by)) for end in (r, moved(r, k, 1)) for by in (0, -1)]
+    of_beside = ways(beside)
+    of_all = of_beside + ways(across)
+    count = sum(way != 0 for way in of_all)
+    far = 2 * symbols * sum(map(abs, of_all)) >= 192 * count
+    way = sum(of_beside) * (-1 if is_outside else 1)
+    return min(len(of_all) - count, 2), 1 + far + 2 * (count > 1) if count else 0, 1 + (way > 0) - (way < 0)
 
-class Moved:
+class FormerLevels:
     """[MAP-29] Levels of vertices that have former ones; symbols are levels without the lowest g bits."""
     def __init__(self, known, levels, g):
-        self.known, self.levels, self.g = known, levels, g
+        self.known, self.levels, self.g, self.symbols = known, levels, g, ((levels - 1) >> g) + 1
         self.cuts = {edge: 32 * (2 * level + 1) // levels - 32 for edge, level in known.levels.items()}
-        self.models, self.weights = Fresh(self.fresh), Mixture([1]).weights
-        self.is_former = defaultdict(CountedBit)
+        self.is_same = Fresh(lambda i: CountedBit(5 + i % 3 - i // 3 << 13))
+        self.is_above = Fresh(lambda i: CountedBit(1 + i % 3 + i // 3 << 13))
+        self.is_farther, self.is_former = defaultdict(CountedBit), defaultdict(CountedBit)
 
-    def fresh(self, number):
-        symbols = ((self.levels - 1) >> self.g) + 1
-        return SymbolModel([max(32 >> 2 * abs(s - number // 9), 1) if s < symbols else 0 for s in range(16)])
+    def left(self, expected, s):
+        return ((expected - 32 * (2 * s + 1) // self.symbols + 32) * self.symbols + 32) >> 6
 
-    def decode(self, coder, edge, state, cuts, second):
-        """The symbol for an edge whose first node has this state, and its level if that is the former one, else None."""
-        former = self.levels - 1 - self.known.levels[edge] if state else self.known.levels[edge]
-        i = MAP_29_motion(cuts, self.cuts, *edge)
-        symbol = coder.symbol([self.models[9 * (former >> self.g) + i], second], self.weights[i])
-        is_former = self.g and symbol == former >> self.g and self.is_former[i].decode(coder)
-        return symbol, former if is_former else None
+    def symbol(self, coder, t, expected, i, moved_class, way):
+        """The one that t leads to."""
+        if self.is_same[i].decode(coder):
+            return t
+        step = 1 if t == 0 else -1
+        if 0 < t < self.symbols - 1:
+            step = 2 * self.is_above[3 * (clamp(self.left(expected, t), -2, 2) + 2) + way].decode(coder) - 1
+        s, later = t + step, 0
+        while 0 < s < self.symbols - 1:
+            ahead = clamp(step * self.left(expected, s), -2, 2) + 2
+            if not self.is_farther[2 * (3 * ahead + (moved_class and 2 - moved_class % 2)) + later].decode(coder):
+                break
+            s, later = s + step, 1
+        return s
+
+    def decode(self, coder, edge, is_outside, cuts, second):
+        """The symbol for an edge that may begin outside, and its level if that is the former one, else None; `second` as in GRD-10."""
+        c, line = second // 24, 8 * (second % 6) - 20
+        f = self.levels - 1 - self.known.levels[edge] if is_outside else self.known.levels[edge]
+        still, moved_class, way = MAP_29_motion(cuts, self.cuts, *edge, is_outside, self.symbols)
+        i = 3 * moved_class + still
+        symbol = self.symbol(coder, f >> self.g, (4 * c - 42 + line) // 2 if c else line, i, moved_class, way)
+        return symbol, f if self.g and symbol == f >> self.g and self.is_former[i].decode(coder) else None

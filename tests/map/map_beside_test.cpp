@@ -153,6 +153,50 @@ TEST_P(MapBeside, MAP28MAP29MAP30WhatHasNotChangedTakesLittle) {
   EXPECT_LT(3 * tell(1).bytes, 2 * first);
 }
 
+/// A whole part must be longer, so that short messages make no large meshes.
+TEST(MapBesideABase, MAP7WhatTheBaseHasNeedsNoBytes) {
+  const auto field = [](int x, int y, int z) {
+    return static_cast<float>(std::hypot(x - 25.2, y - 25.3, z - 25.6) - 23.2);
+  };
+  const scenes::Surface ball = test::marched(field, 52);
+  Mesh mesh;
+  mesh.positions = ball.positions;
+  mesh.triangles = ball.triangles;
+  MapDescription description{.id = 1, .epoch = 1, .frame = "map", .cell_steps = 1U << 12};
+  description.lattice.step_exponent = step_exponent_for(0.1);
+  auto sender = MapSender::make(description, {.split = {.most_triangles = 100'000}});
+  ASSERT_TRUE(sender);
+  MapReceiver receiver(1, 1);
+  View view;
+  view.max_error = 0.1F;
+  receiver.set_view(view);
+  double now = 0;
+  const auto bytes_of_update = [&] {
+    std::size_t bytes = 0;
+    EXPECT_TRUE(sender->update(std::vector<MapBlock>{{{0, 0, 0}, mesh}}));
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_TRUE(sender->hear(*receiver.view_message(), now += 2));
+      const auto messages = sender->messages_for(1, now);
+      for (const Bytes& message : *messages) {
+        bytes += message.size();
+        EXPECT_TRUE(receiver.apply(message));
+      }
+    }
+    return bytes;
+  };
+  const std::size_t needed = (mesh.vertex_count() + mesh.triangle_count()) / 32;
+  EXPECT_GT(bytes_of_update(), needed);
+  // One vertex moves along its edge.
+  float* const moved = mesh.positions.data();
+  for (std::size_t k = 0; k < 3; ++k)
+    if (moved[k] != std::floor(moved[k]))
+      moved[k] = std::floor(moved[k]) + (moved[k] - std::floor(moved[k]) < 0.5F ? 0.8F : 0.2F);
+  EXPECT_LT(2 * bytes_of_update(), needed);
+  const MapPart& shown = *receiver.find(receiver.held()[0].entry.key);
+  EXPECT_EQ(shown.mesh.triangle_count(), mesh.triangle_count());
+  EXPECT_LE(errors_between(mesh, shown.mesh).max_error, 0.1 * (1 + 1e-6));
+}
+
 INSTANTIATE_TEST_SUITE_P(ColoursByRms, MapBeside, testing::Bool());
 
 }  // namespace

@@ -49,12 +49,6 @@ inline constexpr std::array<std::array<Column, 256>, 2> kColumns = [] {
   return columns;
 }();
 
-/// Of a symbol and its models.
-struct PlaceContext {
-  unsigned ends;     ///< model of the first table
-  unsigned smooth;   ///< of the second
-  unsigned weights;  ///< set of mixing weights
-};
 inline constexpr std::size_t kEndContexts = 8 * 8 * 6;
 inline constexpr unsigned kSmoothClasses = 21;  ///< of places by candidates; 0 without
 inline constexpr std::size_t kOfSmoothClass = 4 * 6;
@@ -64,6 +58,20 @@ constexpr int smooth_of_class(unsigned smooth_class) noexcept {
   return 4 * static_cast<int>(smooth_class) - 42;
 }
 inline constexpr std::size_t kPlaceWeights = 16;
+
+/// Of a symbol and its models.
+struct PlaceContext {
+  unsigned ends;     ///< model of the first table
+  unsigned smooth;   ///< of the second
+  unsigned weights;  ///< set of mixing weights
+
+  /// Where the edge is cut as far as the second model's context tells [MAP-29].
+  int expected() const noexcept {
+    const auto smooth_class = static_cast<unsigned>(smooth / kOfSmoothClass);
+    const int line = 8 * static_cast<int>(smooth % 6) - 20;
+    return smooth_class == 0 ? line : (smooth_of_class(smooth_class) + line) / 2;
+  }
+};
 
 /// All without branches, which would often go wrong: what is known is -1, else 0, and selects by `&`.
 template <unsigned kAxis>

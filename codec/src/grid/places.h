@@ -160,8 +160,8 @@ class PlaceCoder {
       const auto seen = [&](std::int32_t l) { return (l ^ turned) + (levels_ & turned); };
       if (known != nullptr) [[unlikely]] {
         const auto former = seen(static_cast<std::int32_t>(known->level));
-        const unsigned motion = known_.motion(window, index, kAxis);
-        level = seen(code_known_level(coder, around.context(), former, motion, seen(level)));
+        const Motion motion = known_.motion(window, index, kAxis, turned);
+        level = seen(code_known_level(coder, around.context().expected(), former, motion, seen(level)));
       } else {
         level = seen(code_level(coder, around.context(), seen(level)));
       }
@@ -190,14 +190,13 @@ class PlaceCoder {
   }
 
   /// `former`: the level that the known surface has there [MAP-29].
-  std::int32_t code_known_level(Coder& coder, const PlaceContext& context, std::int32_t former,
-                                unsigned motion, std::int32_t level) {
+  std::int32_t code_known_level(Coder& coder, int expected, std::int32_t former, const Motion& motion,
+                                std::int32_t level) {
     const unsigned former_symbol = static_cast<unsigned>(former) >> raw_bits_;
-    const Mixture<2> mixture{{&known_.level_model(former_symbol, motion), &models_.smooth[context.smooth]},
-                             &known_.weights(motion)};
-    const unsigned symbol = coder.symbol(static_cast<unsigned>(level) >> raw_bits_, mixture);
+    const unsigned symbol =
+        known_.code_symbol(coder, expected, motion, former_symbol, static_cast<unsigned>(level) >> raw_bits_);
     const bool may_be_same = raw_bits_ > 0 && symbol == former_symbol;
-    if (may_be_same && coder.bit(level == former, known_.is_same(motion))) return former;
+    if (may_be_same && coder.bit(level == former, known_.is_former(motion))) return former;
     return code_raw_bits(coder, symbol, level);
   }
 

@@ -31,10 +31,12 @@ struct MapCodec::State {
   std::vector<CodecModels> models = std::vector<CodecModels>(1);
   std::vector<StreamInfo> primers{};  ///< what they say of themselves
 
-  PartPlace place_of(const PartKey& key) const noexcept {
+  /// `base`: that the part is coded beside, if any.
+  PartPlace place_of(const PartKey& key, const MapPart* base = nullptr) const noexcept {
     const auto& streams = models.back().streams;
     const auto* const voxels = streams && streams->models().voxels ? &*streams->models().voxels : nullptr;
-    return {description, description_hash, key, voxels};
+    const std::size_t known = base != nullptr ? base->mesh.vertex_count() + base->mesh.triangle_count() : 0;
+    return {description, description_hash, key, voxels, known};
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/byte_reader.h"
@@ -24,8 +25,10 @@ Error broken_part(const ByteReader& in, const char* message) noexcept {
   return in.error(ErrorCode::kInvalidStream, message, "MAP-7");
 }
 
-std::uint64_t elements_of(const FileHeader& header) noexcept {
-  return std::uint64_t{header.vertices} + header.triangles;
+/// That the part takes at least, without its checksum; what the base has as well needs none.
+std::uint64_t bytes_needed(const PartPlace& place, const FileHeader& header) noexcept {
+  const std::uint64_t elements = std::uint64_t{header.vertices} + header.triangles;
+  return (elements - std::min(elements, place.known_elements)) / kPartElementsPerByte;
 }
 
 /// The part's bytes before its checksum, which is checked.
@@ -117,7 +120,7 @@ Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<cons
   out.write_bytes(border);
   for (const ChunkEntry& entry : container.entries())
     if (entry.tag != kTagFiller) write_chunk(out, entry, container.coded(entry));
-  const std::uint64_t needed = elements_of(header) / kPartElementsPerByte;
+  const std::uint64_t needed = bytes_needed(place, header);
   if (out.size() < needed) {
     const std::vector<std::byte> filler(static_cast<std::size_t>(needed - out.size()));
     write_chunk(out, {.tag = kTagFiller, .coded_bytes = filler.size()}, filler);
@@ -152,7 +155,7 @@ Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> 
     return OpenedPart{primer.stream, number, primer.border};
   }
   DELTAMESH_TRY(const FileHeader header, read_part_header(place, flags, in));
-  if (elements_of(header) / kPartElementsPerByte > covered.size())
+  if (bytes_needed(place, header) > covered.size())
     return broken_part(in, "more vertices and triangles than a part of this length may hold");
   DELTAMESH_TRY(const auto border_size, in.read_varint());
   DELTAMESH_TRY(const auto border, in.read_bytes(border_size));

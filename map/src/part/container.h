@@ -24,6 +24,8 @@ struct PartPlace {
   PartKey key;
   /// Parameters of the last primer if it has voxel edges, else null.
   const PredictiveParameters* voxels = nullptr;
+  /// Vertices and triangles of the base that the part is coded beside, if any.
+  std::uint64_t known_elements = 0;
 };
 
 /// Octets of a part that is the description's primer number `primer`.

@@ -19,7 +19,6 @@
 #include "part/as_primer.h"
 #include "part/codec_state.h"
 #include "part/measure.h"
-#include "part/options.h"
 #include "search/bracket.h"
 #include "search/request.h"
 #include "support/color_value.h"
@@ -32,6 +31,20 @@ namespace {
 constexpr double kFinestShare = 1.0 / 512;
 constexpr double kAim = -0.044;
 constexpr int kTrials = 2;
+
+/// `share`: of the quality's bounds. Where nothing is said of colours they are exact: a part alone does not
+/// tell labels from photographs.
+EncodeOptions options_for(const PartQuality& quality, double share = 1) {
+  EncodeOptions options;
+  options.quality = quality.bounds;
+  for (auto* bound : {&options.quality.vde, &options.quality.lfe, &options.quality.max_error})
+    if (*bound) (*bound)->value *= share;
+  options.attributes = quality.attributes;
+  if (!options.attributes.color_rms && !options.attributes.color_error) options.attributes.color_error = 0;
+  options.geometry = quality.geometry;
+  options.effort = quality.effort;
+  return options;
+}
 
 Result<void> check_part(const MapPart& part, const MapDescription& description) {
   const MapLattice& lattice = description.lattice;
@@ -91,8 +104,6 @@ class PartEncoder {
   /// Border vertices are where their lattice points are, whatever was asked of the stream, so that it may
   /// have to be better than asked.
   Result<DecodedPart> run() {
-    EncodeOptions options = options_for(quality_);
-    options.known = known();
     Bracket bracket({.first = 1,
                      .least = kFinestShare,
                      .most = 1,
@@ -101,7 +112,8 @@ class PartEncoder {
                      .trials = kTrials});
     std::optional<PartCandidate> best;
     for (int i = 0; !bracket.is_done(); ++i) {
-      options.quality = scaled(quality_.bounds, bracket.setting());
+      EncodeOptions options = options_for(quality_, bracket.setting());
+      options.known = known();
       if (i > kTrials) options.geometry = GeometryCoder::kPredictive;
       DELTAMESH_TRY(PartCandidate candidate, code(options));
       if (bracket.tell(excess_of_load(candidate.load))) return std::move(candidate.result);
@@ -148,7 +160,7 @@ class PartEncoder {
     const auto payload = write_border(decoded, view, border, models.border,
                                       border_colors(part_.mesh, border, encoded.order, quality_.attributes));
     PartCandidate candidate;
-    const PartPlace place = state_.place_of(part_.key);
+    const PartPlace place = state_.place_of(part_.key, use_.base);
     if (primer && payload != state_.description.primers[*primer].border) return candidate;
     if (primer) {
       candidate.result.coded.bytes = write_primer_part(place, *primer);
@@ -182,12 +194,6 @@ class PartEncoder {
   }
 
   const KnownMesh* known() const noexcept { return known_ ? known_->mesh() : nullptr; }
-
-  static QualityRequest scaled(QualityRequest request, double share) noexcept {
-    for (auto* bound : {&request.vde, &request.lfe, &request.max_error})
-      if (*bound) (*bound)->value *= share;
-    return request;
-  }
 
   const MapCodec::State& state_;
   const MapPart& part_;

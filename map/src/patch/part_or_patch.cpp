@@ -22,7 +22,7 @@ namespace {
 Result<MapPart> decode_whole(const MapCodec::State& state, const PartKey& key,
                              std::span<const std::byte> octets, const DecodeOptions& options,
                              const MapPart* base = nullptr) {
-  DELTAMESH_TRY(const OpenedPart opened, open_part(state.place_of(key), octets));
+  DELTAMESH_TRY(const OpenedPart opened, open_part(state.place_of(key, base), octets));
   MapPart part;
   part.key = key;
   const CodecModels& models = opened.primer ? state.models[*opened.primer] : state.models.back();

@@ -8,25 +8,35 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 #include "entropy/coder/counted_bit.h"
-#include "entropy/coder/model.h"
-#include "entropy/coder/symbol_models.h"
 #include "grid/known/surface.h"
 #include "grid/place_window.h"
 
 namespace deltamesh::grid {
 
+/// What the cuts around an edge have done since the known surface.
+struct Motion {
+  unsigned still;  ///< how many are where they were, 2 at most
+  unsigned moved;  ///< 0: none has; else 1, and 1 more if they went far, 2 more if they are several
+  unsigned way;    ///< those of the edges beside, along the axis: 0 down, 1 nowhere, 2 up
+  unsigned far() const noexcept {
+    return moved == 0 ? 0 : 2 - moved % 2;
+  }  ///< 0: none has moved; else 1, or 2
+};
+
 class KnownPlaces {
  public:
-  /// By how many cuts around an edge have moved, and how many have not, 2 at most of each.
-  static constexpr unsigned kMotions = 9;
-
-  /// `surface`: null where nothing is known; `symbols`: of levels.
-  KnownPlaces(const KnownSurface* surface, unsigned symbols)
-      : surface_(surface), levels_(surface != nullptr ? std::size_t{symbols} * kMotions : 0) {
-    for (unsigned former = 0; surface != nullptr && former < symbols; ++former)
-      levels_.fill(std::size_t{former} * kMotions, kMotions, near_model(symbols, former));
+  /// `surface`: null where nothing is known; `symbols`: of levels, 2 at least.
+  KnownPlaces(const KnownSurface* surface, unsigned symbols) noexcept
+      : surface_(surface), symbols_(static_cast<int>(symbols)) {
+    for (int i = 0; i < 15; ++i) {
+      is_same_[static_cast<std::size_t>(i)] =
+          CountedBit(static_cast<std::uint16_t>((5 + i % 3 - i / 3) << 13));
+      is_above_[static_cast<std::size_t>(i)] =
+          CountedBit(static_cast<std::uint16_t>((1 + i % 3 + i / 3) << 13));
+    }
   }
 
   /// Those around `brick`.
@@ -54,48 +64,73 @@ class KnownPlaces {
     return is_known ? &surface_->edge(*own_, slot, axis) : nullptr;
   }
 
-  /// Around the edge at `index` of `window`; below kMotions.
-  unsigned motion(const PlaceWindow& window, int index, unsigned axis) const noexcept {
-    unsigned moved = 0;
-    unsigned still = 0;
+  /// Around the edge at `index` of `window`. `is_outside`: -1 if it is seen from its other end, else 0.
+  Motion motion(const PlaceWindow& window, int index, unsigned axis, int is_outside) const noexcept {
+    int moved = 0;
+    int still = 0;
+    int size = 0;
     const auto look = [&](unsigned k, int at) {
       const std::int8_t now = window.places(k)[at];
       const std::int8_t before = cuts_[k * PlaceWindow::kSize + static_cast<std::size_t>(at)];
-      if (now != PlaceWindow::kNoPlace && before != PlaceWindow::kNoPlace) ++(now == before ? still : moved);
+      if (now == PlaceWindow::kNoPlace || before == PlaceWindow::kNoPlace) return 0;
+      ++(now == before ? still : moved);
+      size += std::abs(now - before);
+      return now - before;
     };
+    int way = 0;
     for (const unsigned k : {(axis + 1) % 3, (axis + 2) % 3}) {
       const int step = PlaceWindow::kStep[k];
-      for (const int at : {index - step, index + step}) look(axis, at);
+      for (const int at : {index - step, index + step}) way += look(axis, at);
       for (const int at : {index, index + PlaceWindow::kStep[axis]}) {
         look(k, at - step);
         look(k, at);
       }
     }
-    return 3 * std::min(moved, 2U) + std::min(still, 2U);
+    way = (way ^ is_outside) - is_outside;
+    const bool is_far = 2 * symbols_ * size >= 192 * moved;
+    return {.still = static_cast<unsigned>(std::min(still, 2)),
+            .moved = moved == 0 ? 0U : 1U + (is_far ? 1U : 0U) + (moved > 1 ? 2U : 0U),
+            .way = way < 0   ? 0U
+                   : way > 0 ? 2U
+                             : 1U};
   }
 
-  SymbolModel& level_model(unsigned former, unsigned motion) noexcept {
-    return levels_[std::size_t{former} * kMotions + motion];
+  /// The symbol of a level beside that of the former one: whether it is the same, else on which side it is,
+  /// and then, symbol by symbol, whether it is farther. `expected`: the cut that others around lead to.
+  template <class Coder>
+  unsigned code_symbol(Coder& coder, int expected, const Motion& motion, unsigned former, unsigned symbol) {
+    if (coder.bit(symbol == former, is_same_[3 * motion.moved + motion.still])) return former;
+    const auto last = static_cast<unsigned>(symbols_) - 1;
+    bool is_above = former == 0;
+    if (former != 0 && former != last)
+      is_above = coder.bit(symbol > former, is_above_[3 * class_of(left(expected, former)) + motion.way]);
+    unsigned now = former;
+    for (unsigned is_later = 0;; is_later = 1) {
+      now = is_above ? now + 1 : now - 1;
+      if (now == 0 || now == last) return now;
+      const int ahead = is_above ? left(expected, now) : -left(expected, now);
+      if (!coder.bit(symbol != now, is_farther_[(3 * class_of(ahead) + motion.far()) * 2 + is_later]))
+        return now;
+    }
   }
-  MixWeights& weights(unsigned motion) noexcept { return weights_[motion]; }
+
   /// Whether a level is the former one, where both have the same symbol.
-  CountedBit& is_same(unsigned motion) noexcept { return is_same_[motion]; }
+  CountedBit& is_former(const Motion& motion) noexcept { return is_former_[3 * motion.moved + motion.still]; }
 
  private:
-  /// Most likely `former`.
-  static SymbolModel near_model(unsigned symbols, unsigned former) noexcept {
-    std::array<std::uint8_t, kSymbols> weights{};
-    for (unsigned s = 0; s < kSymbols; ++s) {
-      const unsigned way = s > former ? s - former : former - s;
-      weights[s] = static_cast<std::uint8_t>(s >= symbols ? 0 : way < 3 ? 32 >> 2 * way : 1);
-    }
-    return SymbolModel(weights);
+  /// Symbols from the middle of `symbol` to a cut.
+  int left(int cut, unsigned symbol) const noexcept {
+    const int middle = 32 * (2 * static_cast<int>(symbol) + 1) / symbols_ - 32;
+    return ((cut - middle) * symbols_ + 32) >> 6;
   }
+  static unsigned class_of(int left) noexcept { return static_cast<unsigned>(std::clamp(left, -2, 2) + 2); }
 
   const KnownSurface* surface_;
-  SymbolModels levels_;
-  std::array<MixWeights, kMotions> weights_;
-  std::array<CountedBit, kMotions> is_same_;
+  int symbols_;
+  std::array<CountedBit, 15> is_same_;   ///< by what has moved and what has not
+  std::array<CountedBit, 15> is_above_;  ///< by where the expected cut is, and the way of those beside
+  std::array<CountedBit, 30> is_farther_;
+  std::array<CountedBit, 15> is_former_;  ///< as is_same_
   const Brick* own_ = nullptr;
   std::array<std::int8_t, 3 * PlaceWindow::kSize> cuts_;  ///< as in PlaceWindow
 };
