@@ -97,6 +97,7 @@ void expect_no_crack(const Mesh& mesh, const MapDescription& description, const 
     EXPECT_EQ(received, source);
     decoded.push_back(*std::move(back));
   }
+  for (MapPart& part : decoded) part.mesh.attributes.clear();  // the parts keep them at different qualities
   const auto joined = join(decoded);
   ASSERT_TRUE(joined);
   EXPECT_EQ(topology_counts(*joined), topology_counts(welded(mesh)));

@@ -32,7 +32,7 @@ void expect_whole(const Mesh& mesh, const MapDescription& description, const Spl
   const auto joined = join(*parts);
   ASSERT_TRUE(joined);
   EXPECT_EQ(face_bits(*joined), face_bits(mesh));
-  // Vertices with equal positions and other attributes stay apart within a part, so compare without.
+  // Vertices with equal positions and other attributes stay apart, so compare without.
   EXPECT_EQ(topology_counts(welded(*joined)), topology_counts(welded(mesh)));
   for (std::size_t i = 1; i < parts->size(); ++i) EXPECT_LT((*parts)[i - 1].key, (*parts)[i].key);
 }
@@ -111,33 +111,6 @@ TEST(MapSplit, RefusesWhatIsNoMeshOfTheMap) {
   mesh.positions[4] = 0;
   EXPECT_EQ(split(mesh, description, {.most_triangles = 0}).error().code, ErrorCode::kInvalidArgument);
   EXPECT_TRUE(split(Mesh(), description_of(Mesh(), 100))->empty());
-}
-
-TEST(MapJoin, CopiesOfAVertexStayApartWhereAttributesDiffer) {
-  MapPart a;
-  a.mesh.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0};
-  a.mesh.triangles = {0, 1, 2, 3, 2, 1};
-  a.mesh.attributes = {{AttributeKind::kGeneric,
-                        ComponentType::kU8,
-                        1,
-                        false,
-                        "label",
-                        {std::byte{1}, std::byte{0}, std::byte{0}, std::byte{2}}}};
-  a.border = {{0, {0, 0, 0}, 0}, {3, {0, 0, 0}, 0}};
-  MapPart b;
-  b.mesh.positions = {0, 0, 0, -1, 0, 0, 0, -1, 0};
-  b.mesh.triangles = {0, 1, 2};
-  b.mesh.attributes = {{AttributeKind::kGeneric,
-                        ComponentType::kU8,
-                        1,
-                        false,
-                        "label",
-                        {std::byte{2}, std::byte{0}, std::byte{0}}}};
-  b.border = {{0, {0, 0, 0}, 0}};
-  const auto joined = join(std::vector<MapPart>{a, b});
-  ASSERT_TRUE(joined);
-  EXPECT_EQ(joined->vertex_count(), 6U);
-  EXPECT_EQ(joined->triangles, (std::vector<std::uint32_t>{0, 1, 2, 3, 2, 1, 3, 4, 5}));
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ def entries(r, attributes):
 
 
 def compare(folder, joined):
-    """How many parts there are, and why the first one that differs does; an empty text if none does. Where parts meet, the joined mesh has
-    the attributes of one of them; it has no coarser parts, which are decoded only."""
+    """How many parts there are, and why the first one that differs does; an empty text if none does. The joined mesh has
+    no coarser parts, which are decoded only."""
     positions, others, faces = read_positions(joined)
     rows = np.frombuffer(faces, dtype=[("count", "u1"), ("of", "<i4", 3)])["of"]
     positions, others = corners_of(positions, others[1:], rows)
@@ -89,9 +89,8 @@ def compare(folder, joined):
         far = np.sqrt(((own - its)**2).sum(axis=1).mean())
         if not np.array_equal(own, its) and (mesh.exact or far > 0.01 * mesh.header.lfe):
             return count, f"part {key}: positions are {far / mesh.header.lfe} of the LFE away"
-        inside = ~np.isin(np.array(mesh.faces).reshape(-1), list(mesh.border))
         if len(own_others) != len(others) or not all(
-                np.array_equal(a[inside], b[first:first + len(own)][inside]) for a, b in zip(own_others, others)):
+                np.array_equal(a, b[first:first + len(own)]) for a, b in zip(own_others, others)):
             return count, f"part {key}: attributes differ"
         first, count = first + len(own), count + 1
     return count, "" if first == len(positions) else f"{first // 3} of {len(positions) // 3} faces"

@@ -3,7 +3,10 @@
 #include "deltamesh/map/join.h"
 
 #include <algorithm>
+#include <compare>
 #include <cstddef>
+#include <cstring>
+#include <tuple>
 #include <utility>
 
 #include "base/guard.h"
@@ -50,10 +53,12 @@ struct BorderPlace {
   std::uint32_t twin = 0;
   std::uint32_t part = 0;
   std::uint32_t vertex = 0;
-
-  auto operator<=>(const BorderPlace&) const = default;
-  bool is_with(const BorderPlace& other) const noexcept { return point == other.point && twin == other.twin; }
 };
+
+std::span<const std::byte> value_of(const Attribute& attribute, std::uint32_t vertex) noexcept {
+  const std::size_t size = attribute.components * component_size(attribute.type);
+  return std::span(attribute.values).subspan(size * vertex, size);
+}
 
 class Joiner {
  public:
@@ -96,36 +101,28 @@ class Joiner {
       for (const BorderVertex& b : parts_[p].border)
         places.push_back({b.point, b.twin, static_cast<std::uint32_t>(p), b.vertex});
     }
-    std::ranges::sort(places);
-    for (auto first = places.begin(); first != places.end();) {
-      const auto last =
-          std::find_if(first, places.end(), [&](const BorderPlace& place) { return !place.is_with(*first); });
-      unite({first, last});
-      first = last;
+    std::ranges::sort(places, [&](const BorderPlace& a, const BorderPlace& b) {
+      const auto order = compare(a, b);
+      return order != 0 ? order < 0 : std::tie(a.part, a.vertex) < std::tie(b.part, b.vertex);
+    });
+    const BorderPlace* first = places.data();
+    for (const BorderPlace& place : places) {
+      if (compare(*first, place) != 0) first = &place;
+      firsts_[place.part][place.vertex] = {first->part, first->vertex};
     }
   }
 
-  void unite(std::span<const BorderPlace> places) {
-    const bool has_copies = std::ranges::adjacent_find(places, {}, &BorderPlace::part) != places.end();
-    for (std::size_t i = 1; i < places.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (has_copies && !have_same_attributes(places[i], places[j])) continue;
-        firsts_[places[i].part][places[i].vertex] = firsts_[places[j].part][places[j].vertex];
-        break;
-      }
-    }
-  }
-
-  bool have_same_attributes(const BorderPlace& a, const BorderPlace& b) const {
+  /// Equal: one vertex of the joined mesh.
+  std::strong_ordering compare(const BorderPlace& a, const BorderPlace& b) const {
+    if (const auto order = std::tie(a.point, a.twin) <=> std::tie(b.point, b.twin); order != 0) return order;
     const auto& of_a = parts_[a.part].mesh.attributes;
     const auto& of_b = parts_[b.part].mesh.attributes;
     for (std::size_t i = 0; i < of_a.size(); ++i) {
-      const std::size_t size = of_a[i].components * component_size(of_a[i].type);
-      const auto value_a = std::span(of_a[i].values).subspan(size * a.vertex, size);
-      const auto value_b = std::span(of_b[i].values).subspan(size * b.vertex, size);
-      if (!std::ranges::equal(value_a, value_b)) return false;
+      const auto value = value_of(of_a[i], a.vertex);
+      const int order = std::memcmp(value.data(), value_of(of_b[i], b.vertex).data(), value.size());
+      if (order != 0) return order <=> 0;
     }
-    return true;
+    return std::strong_ordering::equal;
   }
 
   void add_vertices(std::size_t p) {
@@ -141,9 +138,7 @@ class Joiner {
       const float* x = mesh.positions.data() + 3 * std::size_t{v};
       joined_.positions.insert(joined_.positions.end(), x, x + 3);
       for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
-        const Attribute& from = mesh.attributes[i];
-        const std::size_t size = from.components * component_size(from.type);
-        const auto value = std::span(from.values).subspan(size * v, size);
+        const auto value = value_of(mesh.attributes[i], v);
         joined_.attributes[i].values.insert(joined_.attributes[i].values.end(), value.begin(), value.end());
       }
     }

@@ -60,8 +60,9 @@ Result<void> validate(const MapSettings& settings) noexcept;
 Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
                             const MapState* before = nullptr) noexcept;
 
-/// The parts that show the map on a level (keys_on_level()) as one mesh. Errors: kInvalidArgument (a level
-/// above top_level()), as MapCodec::decode() and join().
+/// The parts that show the map on a level (keys_on_level()) as one mesh, whose attributes keep the bounds of
+/// the parts; see join() for which vertices are shared. Errors: kInvalidArgument (a level above top_level()),
+/// as MapCodec::decode() and join().
 Result<Mesh> decode_map(const MapState& state, const DecodeOptions& options = {},
                         std::uint8_t level = 0) noexcept;
 

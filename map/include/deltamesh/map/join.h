@@ -12,10 +12,12 @@
 
 namespace deltamesh {
 
-/// All faces of `parts`, in their order. Vertices of different parts are one vertex where both are border
-/// vertices with the same point and twin; its attributes are those of the first part. (Where a part has
-/// several vertices there, as at texture seams, only those with equal attributes become one.) Precondition:
-/// all parts have the same attributes and origin. O(n log n). Errors: kInvalidArgument, kOutOfMemory.
+/// All faces of `parts`, in their order. Border vertices with the same point and twin are one vertex where
+/// all their attributes are bit by bit equal. So every face keeps the attributes of its part, with their
+/// bounds, and exact ones and colours [MAP-24] are shared as in the source. Normals, texture coordinates and
+/// tangents within bounds differ a little from part to part: there each part keeps a vertex of its own, at a
+/// position with the same bits, as at the source's seams. Precondition: all parts have the same attributes
+/// and origin. O(n log n). Errors: kInvalidArgument, kOutOfMemory.
 Result<Mesh> join(std::span<const MapPart> parts) noexcept;
 
 }  // namespace deltamesh
