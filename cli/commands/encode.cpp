@@ -47,9 +47,9 @@ void print_summary(const EncodeArguments& arguments, const ReadReport& read, con
   std::string vertices = grouped(stream.vertices);
   if (report.unreferenced_vertices > 0)
     vertices += " (" +
-                counted(report.unreferenced_vertices, "vertex that no face uses was ",
-                        "vertices that no face uses were ") +
-                (arguments.options.keep_unreferenced ? "kept)" : "dropped)");
+                unreferenced_text(report.unreferenced_vertices,
+                                  arguments.options.keep_unreferenced ? "kept" : "dropped") +
+                ')';
   summary.add("vertices", vertices);
   std::string triangles = grouped(stream.triangles);
   if (read.polygons > 0) triangles += " (" + counted(read.polygons, "polygon", "polygons") + " split)";

@@ -112,6 +112,7 @@ int run_split(const Splitting& splitting) {
   if (!saved) return fail(splitting.folder, saved.error());
   const double rounding =
       imported->report.position_error + rounding_in_map(imported->mesh, state->manifest.description);
+  const std::uint64_t unreferenced = count_unreferenced(imported->mesh);
   if (splitting.json) {
     auto object = map_object(state->manifest);
     if (state->attributes.color_rms) object["color_rms"] = *state->attributes.color_rms;
@@ -121,12 +122,14 @@ int run_split(const Splitting& splitting) {
                    {"keeps_bounds", update.keeps_bounds},
                    {"attribute_bounds", update.attribute_bounds},
                    {"keeps_attribute_bounds", update.keeps_attribute_bounds},
+                   {"unreferenced_vertices", unreferenced},
                    {"left_out", left_out_array(imported->report)},
                    {"position_error", rounding},
                    {"uv_scale", imported->report.uv_scale}});
     print_json(object);
   } else {
     print_map(splitting.in + " -> " + splitting.folder, state->manifest, update);
+    print_dropped(unreferenced, report_stream({}));
     print_rounding(rounding, report_stream({}));
     print_stretch(imported->report.uv_scale, report_stream({}));
     print_left_out(imported->report, report_stream({}));

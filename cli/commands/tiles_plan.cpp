@@ -75,6 +75,7 @@ std::optional<std::vector<std::string>> absolute_paths(const std::vector<std::st
 /// What reading the files did to them.
 struct Readings {
   LossReport losses;
+  std::uint64_t unreferenced = 0;  ///< vertices that no face uses
   double rounding = 0;
   double uv_scale = 1;
 };
@@ -95,6 +96,7 @@ int add_files(const Planning& planning, const AttributeQuality& attributes, Tile
       return status;
     for (const LeftOut& entry : imported->report.left_out)
       readings.losses.leave_out(entry.kind, entry.name, entry.count);
+    readings.unreferenced += count_unreferenced(imported->mesh);
     readings.rounding = std::max(readings.rounding, imported->report.position_error);
     readings.uv_scale = std::max(readings.uv_scale, imported->report.uv_scale);
     readings.losses.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
@@ -148,6 +150,7 @@ int run_plan(const Planning& planning) {
             << counted(plan.plan.parts.size(), "part", "parts") << '\n';
   if (plan.asked && !planning.asks_of_attributes)
     std::cout << "attribute bounds kept: " << attribute_bounds_text(*plan.asked) << '\n';
+  print_dropped(readings.unreferenced, std::cout);
   print_rounding(readings.rounding, std::cout);
   print_stretch(readings.uv_scale, std::cout);
   print_left_out(readings.losses, std::cout);

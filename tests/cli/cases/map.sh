@@ -106,6 +106,16 @@ rm -r damaged.map out.ply
 status map
 rm -r a.json info.json a.dmsh b.dmsh
 list
+say "vertices that are dropped are told:"
+cube cube.obj
+(cat cube.obj; echo "v 9 9 9"; echo "v 9 9 8") >lonely.obj
+for mesh in cube lonely; do
+  quiet map split $mesh.obj dropped.map --part-edge 2 --max-error 0.01
+  grep unused .out
+  quiet map split $mesh.obj dropped.map --part-edge 2 --json
+  grep unreferenced .out
+done
+rm -r dropped.map cube.obj lonely.obj
 say "what a map is made of is not removed or replaced:"
 mkdir -p own.map/parts
 cp rooms.ply own.map/parts/x.part.ply

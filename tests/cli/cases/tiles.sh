@@ -81,6 +81,8 @@ done
 cube cube.obj
 sed '/^f/i vn 0 0 1' cube.obj | sed -E '/^f/s/([0-9]+)/\1\/\/1/g' >normals.obj
 run tiles plan other.map normals.obj cube.obj --part-edge 2 --max-error 0.1
+(cat cube.obj; echo "v 9 9 9") >lonely.obj
+run tiles plan lonely.map lonely.obj cube.obj lonely.obj --part-edge 2 --max-error 0.1
 quiet tiles plan other.map cube.obj --part-edge 2 --max-error 0.1
 sed -i '/^v/s/1/0.99/' cube.obj
 capture tiles encode other.map 0
