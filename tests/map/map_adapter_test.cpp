@@ -290,7 +290,8 @@ TEST(MapAdapter, ErrorsNameTheBlockAndTheRule) {
   mesh.positions[0] = 1e9F;
   expect_refused(
       adapter_map(), mesh,
-      "a position is 2^24 steps of the map's lattice or more from its origin; ask for a larger error");
+      "a position is 2^24 steps of the map's lattice or more from its origin; ask for a larger error",
+      ErrorCode::kUnmetRequest);
   mesh = one_triangle();
   expect_refused(adapter_map(true), mesh, "the block lacks an attribute of the map");
   mesh.attributes = {

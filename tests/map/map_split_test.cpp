@@ -106,9 +106,11 @@ TEST(MapSplit, RefusesWhatIsNoMeshOfTheMap) {
   description.attributes.clear();
   EXPECT_EQ(split(mesh, description).error().code, ErrorCode::kInvalidMesh);
   description = description_of(mesh, 100);
-  mesh.positions[4] = 20000;  // 2^24 steps of 2^-10 are 16384
-  EXPECT_EQ(split(mesh, description).error().code, ErrorCode::kInvalidMesh);
-  mesh.positions[4] = 0;
+  mesh.positions[3 * 2] = 20000;  // 2^24 steps of 2^-10 are 16384
+  const auto beyond = split(mesh, description);
+  EXPECT_EQ(beyond.error().code, ErrorCode::kUnmetRequest);
+  EXPECT_EQ(beyond.error().where, 2U) << "of the source, whose vertices faces use in another order";
+  mesh.positions[3 * 2] = 0;
   EXPECT_EQ(split(mesh, description, {.most_triangles = 0}).error().code, ErrorCode::kInvalidArgument);
   EXPECT_TRUE(split(Mesh(), description_of(Mesh(), 100))->empty());
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
@@ -90,6 +91,7 @@ Result<Mesh> to_map(const MeshView& mesh, const MapDescription& description) {
   DELTAMESH_CHECK(check_attributes(mesh, description));
   RowGather gather(mesh);
   for (std::size_t f = 0; f < mesh.triangle_count(); ++f) gather.add_face(f);
+  const std::vector<std::uint32_t> rows = gather.rows();
   Mesh moved = gather.take();
   moved.origin = description.lattice.origin;
   for (std::size_t v = 0; v < moved.vertex_count(); ++v) {
@@ -99,9 +101,13 @@ Result<Mesh> to_map(const MeshView& mesh, const MapDescription& description) {
       p[k] = static_cast<float>(double{p[k]} + shift) + 0.0F;  // one zero
     }
     if (!description.lattice.is_within({p[0], p[1], p[2]}))
-      return invalid_mesh(
-          "a position is 2^24 steps of the map's lattice or more from its origin; ask for a larger error",
-          WhereKind::kVertex, v);
+      return Error{
+          .code = ErrorCode::kUnmetRequest,
+          .message =
+              "a position is 2^24 steps of the map's lattice or more from its origin; ask for a larger error",
+          .rule = "MAP-2",
+          .where_kind = WhereKind::kVertex,
+          .where = rows[v]};
   }
   return moved;
 }

@@ -25,7 +25,8 @@ struct StoredBlock {
 using StoredBlocks = std::map<Cell0, StoredBlock>;
 
 /// `mesh` with positions relative to the map's origin and only those vertices that a face uses. Errors:
-/// kInvalidMesh (not a mesh, beyond the lattice, without the map's attributes), kNotFinite.
+/// kInvalidMesh (not a mesh, without the map's attributes), kUnmetRequest (the lattice is too fine to reach a
+/// position), kNotFinite.
 Result<Mesh> to_map(const MeshView& mesh, const MapDescription& description);
 
 /// The faces of `mesh`, which to_map() gave, by the cells that their centroids are in [MAP-4]. O(n log n).

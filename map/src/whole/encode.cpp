@@ -119,10 +119,8 @@ MeshView with_positions_of(const Mesh& moved, MeshView mesh) {
   return mesh;
 }
 
-Result<MapState> encode_as(const MeshView& mesh, MapDescription description,
-                           const SplitOptions& split_options, const PartQuality& quality,
-                           const MapState* before) {
-  DELTAMESH_TRY(const auto parts, split(mesh, description, split_options));
+Result<MapState> encode_as(std::span<const MapPart> parts, MapDescription description,
+                           const PartQuality& quality, const MapState* before) {
   const std::vector<MapPart> finest = finest_of(parts);
   if (before != nullptr && share_lattice(description, before->manifest.description)) {
     description = before->manifest.description;
@@ -169,7 +167,8 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
     SplitOptions options{.most_triangles = settings.most_triangles, .most_level = kLevelsOfParts};
     if (settings.levels > 0) options.copy_level = static_cast<std::uint8_t>(kLevelsOfParts + settings.levels);
     for (;;) {
-      auto state = encode_as(placed, description, options, quality, before);
+      DELTAMESH_TRY(const auto parts, split(placed, description, options));
+      auto state = encode_as(parts, description, quality, before);
       if (state && (keeps || !mesh.triangles.empty())) state->bounds = quality.bounds;
       if (state) state->asked = asked;
       if (state) state->attributes = quality.attributes;

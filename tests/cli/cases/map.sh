@@ -80,6 +80,9 @@ status map split rooms.ply other.map
 status map split rooms.ply other.map --part-edge 1 --target-bytes 1000
 run map split rooms.ply other.map --part-edge 1 --max-error none
 run map split rooms.ply other.map --part-edge 1 --max-error 0
+say "an error so small that the lattice does not reach as far:"
+run map split rooms.ply fine.map --part-edge 2 --max-error 1e-7
+run tiles plan fine.map rooms.ply --part-edge 2 --max-error 1e-7
 status map join rooms.map out.xyz
 run map join nowhere out.ply
 figures map join rooms.map out.ply

@@ -50,8 +50,8 @@ class BlockAdapter {
   /// or whose faces are all dropped removes its cell. The result depends on the calls until now, not on the
   /// order of `blocks`. Takes time in proportion to `blocks`, memory to the positions of all blocks. On an
   /// error nothing has changed, but after kOutOfMemory the adapter is undefined. Errors: kInvalidArgument
-  /// (a cell twice), kInvalidMesh, kNotFinite, kLimitExceeded; Error::found is the cell of the block at
-  /// fault.
+  /// (a cell twice), kInvalidMesh, kUnmetRequest (as split()), kNotFinite, kLimitExceeded; Error::found is
+  /// the cell of the block at fault.
   Result<std::span<const MapBlock>> update(std::span<const MapBlock> blocks) noexcept;
 
   /// Removals of all blocks, as update() gives them. Errors: kOutOfMemory.

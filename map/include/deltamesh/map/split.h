@@ -32,7 +32,8 @@ struct SplitOptions {
 /// Every face of `mesh` in exactly one part, by the cell that its centroid is in [MAP-4], but for coarser
 /// copies; parts ascending by key. Vertices that no face uses are dropped. The mesh's positions are taken
 /// relative to the map's origin. Deterministic. O(n log n). Errors: kInvalidArgument, kInvalidMesh (also
-/// beyond the lattice, or without the map's attributes), kNotFinite, kOutOfMemory.
+/// without the map's attributes), kUnmetRequest (the lattice is too fine to reach a position [MAP-2]),
+/// kNotFinite, kOutOfMemory.
 Result<std::vector<MapPart>> split(const MeshView& mesh, const MapDescription& description,
                                    const SplitOptions& options = {}) noexcept;
 
