@@ -112,6 +112,19 @@ bool check_outputs(const EncodeArguments& arguments, int& status) {
   return false;
 }
 
+/// The stream and the order, both or none; returns the exit code.
+int write_outputs(const EncodeArguments& arguments, const Encoded& encoded) {
+  if (is_standard(arguments.out))
+    if (const Result<void> written = write_output(arguments.out, encoded.bytes); !written)
+      return fail(arguments.out, written.error());
+  const std::vector<std::byte> order = order_bytes(encoded.order);
+  std::vector<NewFile> files;
+  if (!is_standard(arguments.out)) files.push_back({arguments.out, encoded.bytes});
+  if (!arguments.order_out.empty()) files.push_back({arguments.order_out, order});
+  const Result<void> written = write_files(files);
+  return written ? kOk : fail(files[written.error().where].path, written.error());
+}
+
 int run_encode(const EncodeArguments& arguments) {
   if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
   int status = kOk;
@@ -140,11 +153,7 @@ int run_encode(const EncodeArguments& arguments) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (!encoded) return fail_coding(arguments.in, encoded.error());
 
-  if (const Result<void> written = write_output(arguments.out, encoded->bytes); !written)
-    return fail(arguments.out, written.error());
-  if (!arguments.order_out.empty())
-    if (const Result<void> written = write_file(arguments.order_out, order_bytes(encoded->order)); !written)
-      return fail(arguments.order_out, written.error());
+  if (const int code = write_outputs(arguments, *encoded); code != kOk) return code;
   if (arguments.json)
     print_object(arguments, imported->report, encoded->report, elapsed.count());
   else

@@ -3,6 +3,7 @@
 #include "stored/tile_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -102,8 +103,9 @@ Result<void> save_plan(const std::string& folder, const FiledPlan& plan) {
   fs::remove_all(own, failed);
   if (!failed) fs::create_directories(own, failed);
   if (failed) return Error{.code = ErrorCode::kFileWrite, .message = "cannot make the folder of the plan"};
-  if (auto done = write_file(path_of(folder, "map"), *message); !done) return done;
-  return write_file(path_of(folder, "plan.json"), bytes_of(json.dump(1) + '\n'));
+  const auto plan_bytes = bytes_of(json.dump(1) + '\n');
+  return write_files(std::array{NewFile{path_of(folder, "map"), *message},
+                                NewFile{path_of(folder, "plan.json"), plan_bytes}});
 }
 
 bool has_plan(const std::string& folder) {

@@ -73,6 +73,29 @@ TEST_F(GltfFiles, ErrorsLeaveNoFiles) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(GltfFiles, AnAssetIsWrittenWithItsBufferOrNotAtAll) {
+  GltfBuilder small;
+  small.sheet_mesh(make_sheet(4));
+  ASSERT_TRUE(write_file(path("in/small.glb"), small.glb()));
+  GltfBuilder large;
+  large.sheet_mesh(make_sheet(8));
+  ASSERT_TRUE(write_file(path("in/large.glb"), large.glb()));
+  ASSERT_TRUE(pack_gltf_file(path("in/small.glb"), path("out.gltf")));
+  const auto buffer = read_file(path("out.bin"));
+  ASSERT_TRUE(buffer);
+  std::filesystem::remove(path("out.gltf"));
+  std::filesystem::create_symlink("none/out.gltf", path("out.gltf"));  // which cannot be created
+  EXPECT_EQ(pack_gltf_file(path("in/large.glb"), path("out.gltf")).error().code, ErrorCode::kFileWrite);
+  EXPECT_EQ(*read_file(path("out.bin")), *buffer);
+  std::filesystem::remove(path("out.gltf"));
+  std::filesystem::remove(path("out.bin"));
+  std::filesystem::create_symlink("none/out.bin", path("out.bin"));
+  const auto refused = pack_gltf_file(path("in/large.glb"), path("out.gltf"));
+  ASSERT_FALSE(refused);
+  EXPECT_STREQ(refused.error().found.data(), "out.bin");
+  EXPECT_FALSE(std::filesystem::exists(path("out.gltf")));
+}
+
 /// Counts of every primitive: vertices and indices.
 std::vector<std::pair<std::size_t, std::size_t>> counts_of(const Json& json) {
   std::vector<std::pair<std::size_t, std::size_t>> counts;

@@ -20,4 +20,14 @@ Result<std::vector<std::byte>> read_file(const std::string& path) noexcept;
 /// links stay, and what they point to is replaced or made. Errors: kFileWrite, kOutOfMemory.
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept;
 
+struct NewFile {
+  std::string path;
+  std::span<const std::byte> bytes;
+};
+
+/// Files that belong together, all or none: each as by write_file(), none renamed before the temporaries of
+/// all are written. Devices and pipes, which cannot be undone, come first. Errors: the same; `where`: number
+/// of the file at fault, which describe() does not show.
+Result<void> write_files(std::span<const NewFile> files) noexcept;
+
 }  // namespace deltamesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Whole files: read at once, written to a temporary beside the target and renamed, so that no half-written
+// Whole files: read at once, written to temporaries beside their targets and renamed, so that no half-written
 // file remains.
 #include "deltamesh/files.h"
 
@@ -20,6 +20,7 @@
 #include <new>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace deltamesh {
 namespace {
@@ -104,20 +105,63 @@ Result<void> write_in_place(const std::string& path, std::span<const std::byte> 
   return {};
 }
 
-/// The new file has the mode of the one that it replaces, or that of a newly created one.
-Result<void> replace_file(const std::string& target, std::span<const std::byte> bytes) {
-  struct stat before {};
-  const bool replaces = stat(target.c_str(), &before) == 0;
-  std::string temporary;
-  const StopsHeldBack guard;
-  const int descriptor = create_beside(target, replaces ? 0600 : 0666, temporary);
-  if (descriptor < 0) return kCannotCreate;
-  const bool written = write_all(descriptor, bytes) &&
-                       (!replaces || fchmod(descriptor, before.st_mode & 07777U) == 0) &&
-                       fsync(descriptor) == 0;
-  if (close(descriptor) == 0 && written && std::rename(temporary.c_str(), target.c_str()) == 0) return {};
-  unlink(temporary.c_str());
-  return kCannotWrite;
+/// A temporary file beside its target, removed with this object where it has not taken the target's place.
+class Temporary {
+ public:
+  Temporary() = default;
+  ~Temporary() {
+    if (!path_.empty()) unlink(path_.c_str());
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  /// The new file has the mode of the one that it replaces, or that of a newly created one.
+  Result<void> write(const std::string& path, std::span<const std::byte> bytes) {
+    const Result<std::string> target = behind_links(path);
+    if (!target) return target.error();
+    target_ = *target;
+    struct stat before {};
+    const bool replaces = stat(target_.c_str(), &before) == 0;
+    std::string name;
+    const int descriptor = create_beside(target_, replaces ? 0600 : 0666, name);
+    if (descriptor < 0) return kCannotCreate;
+    path_.swap(name);
+    const bool written = write_all(descriptor, bytes) &&
+                         (!replaces || fchmod(descriptor, before.st_mode & 07777U) == 0) &&
+                         fsync(descriptor) == 0;
+    if (close(descriptor) != 0 || !written) return kCannotWrite;
+    return {};
+  }
+
+  /// Nothing where nothing was written.
+  Result<void> take_place() {
+    if (!path_.empty() && std::rename(path_.c_str(), target_.c_str()) != 0) return kCannotWrite;
+    path_.clear();
+    return {};
+  }
+
+ private:
+  std::string target_;
+  std::string path_;  ///< empty: there is no file
+};
+
+/// Devices and pipes ("/dev/stdout", "/dev/null") cannot be replaced by a rename: they are written in place.
+bool is_replaceable(const std::string& path) noexcept {
+  struct stat status {};
+  return stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
+}
+
+/// Calls `step(file, number)` for every file until one fails, whose number goes into the error.
+template <class Step>
+Result<void> for_each_file(std::span<const NewFile> files, Step&& step) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Result<void> done = step(files[i], i);
+    if (done) continue;
+    Error error = done.error();
+    error.where = i;
+    return error;
+  }
+  return {};
 }
 
 }  // namespace
@@ -142,11 +186,25 @@ Result<std::vector<std::byte>> read_file(const std::string& path) noexcept try {
 }
 
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept try {
-  struct stat status {};
-  // Devices and pipes ("/dev/stdout", "/dev/null") cannot be replaced by a rename: they are written in place.
-  if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) return write_in_place(path, bytes);
-  const Result<std::string> target = behind_links(path);
-  return target ? replace_file(*target, bytes) : Result<void>(target.error());
+  const NewFile file{path, bytes};
+  return write_files({&file, 1});
+} catch (const std::bad_alloc&) {
+  return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
+}
+
+Result<void> write_files(std::span<const NewFile> files) noexcept try {
+  // In place first: while a reader of a pipe keeps us waiting, signals must stop the program.
+  const Result<void> in_place = for_each_file(files, [](const NewFile& file, std::size_t) {
+    return is_replaceable(file.path) ? Result<void>() : write_in_place(file.path, file.bytes);
+  });
+  if (!in_place) return in_place.error();
+  const StopsHeldBack guard;
+  std::vector<Temporary> temporaries(files.size());
+  const Result<void> written = for_each_file(files, [&](const NewFile& file, std::size_t i) {
+    return is_replaceable(file.path) ? temporaries[i].write(file.path, file.bytes) : Result<void>();
+  });
+  if (!written) return written.error();
+  return for_each_file(files, [&](const NewFile&, std::size_t i) { return temporaries[i].take_place(); });
 } catch (const std::bad_alloc&) {
   return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
 }

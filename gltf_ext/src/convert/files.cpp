@@ -37,7 +37,7 @@ Result<GltfIo> file_io(const std::filesystem::path& in, const std::string& out, 
   return io;
 }
 
-struct NamedFile {
+struct Copy {
   std::filesystem::path path;
   std::vector<std::byte> bytes;
 };
@@ -50,12 +50,10 @@ bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path&
 
 /// The files that have to be written so that relative URIs of an asset that was at `in` hold at `out`.
 /// `taken`: what is written besides.
-Result<std::vector<NamedFile>> files_to_copy(const std::vector<std::string>& uris,
-                                             const std::filesystem::path& in,
-                                             const std::filesystem::path& out,
-                                             const std::vector<std::filesystem::path>& taken,
-                                             GltfReport& report) {
-  std::vector<NamedFile> files;
+Result<std::vector<Copy>> files_to_copy(const std::vector<std::string>& uris, const std::filesystem::path& in,
+                                        const std::filesystem::path& out,
+                                        const std::vector<std::filesystem::path>& taken, GltfReport& report) {
+  std::vector<Copy> files;
   if (is_same_folder(in, out)) return files;
   for (const std::string& uri : uris) {
     const auto path = gltf::relative_path_of(uri);
@@ -82,10 +80,22 @@ Result<std::vector<NamedFile>> files_to_copy(const std::vector<std::string>& uri
   return files;
 }
 
-Result<void> write_copy(const NamedFile& file) {
-  std::error_code failed;
-  std::filesystem::create_directories(file.path.parent_path(), failed);
-  return write_file(file.path.string(), file.bytes);
+/// The asset, its buffer and what goes with it: all or none. `buffer`: its path.
+Result<void> write_asset(const std::string& out, const std::string& buffer, const GltfOutput& output,
+                         const std::vector<Copy>& copies) {
+  std::vector<NewFile> files;
+  for (const Copy& copy : copies) {
+    std::error_code failed;
+    std::filesystem::create_directories(copy.path.parent_path(), failed);
+    files.push_back({copy.path.string(), copy.bytes});
+  }
+  if (!output.buffer.empty()) files.push_back({buffer, output.buffer});
+  files.push_back({out, output.asset});
+  const Result<void> written = write_files(files);
+  if (written) return {};
+  const std::size_t at_fault = written.error().where;
+  if (at_fault + 1 == files.size()) return written.error();
+  return with_found(written.error(), std::filesystem::path(files[at_fault].path).filename().string());
 }
 
 /// What an asset at `in` consists of beside itself: `read` and the files of `uris`.
@@ -117,11 +127,9 @@ Result<GltfReport> convert_file(const std::string& in, const std::string& out, C
   const auto own = files_of(in, read, output.uris);
   DELTAMESH_CHECK(check_keeps_files(own, out));
   if (!output.buffer.empty()) DELTAMESH_CHECK(check_keeps_files(own, buffer_path));
-  DELTAMESH_TRY(const auto files, files_to_copy(output.uris, in, out, {out, buffer_path}, output.report));
-  for (const NamedFile& file : files) DELTAMESH_CHECK(write_copy(file));
-  output.report.copied_files = files.size();
-  if (!output.buffer.empty()) DELTAMESH_CHECK(write_file(buffer_path, output.buffer));
-  DELTAMESH_CHECK(write_file(out, output.asset));
+  DELTAMESH_TRY(const auto copies, files_to_copy(output.uris, in, out, {out, buffer_path}, output.report));
+  DELTAMESH_CHECK(write_asset(out, buffer_path, output, copies));
+  output.report.copied_files = copies.size();
   return output.report;
 }
 

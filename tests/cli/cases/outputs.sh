@@ -4,6 +4,8 @@ quiet encode cube.obj cube.dmsh
 run encode cube.obj /dev/full
 run decode cube.dmsh none/cube.ply
 run encode cube.obj cube2.dmsh --order-out /dev/full
+run encode cube.obj cube2.dmsh --order-out none/cube2.order
+run encode cube.obj none/cube2.dmsh --order-out cube2.order
 mkdir folder folder.ply
 run encode cube.obj folder
 run decode cube.dmsh folder.ply

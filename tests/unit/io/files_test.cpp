@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <string_view>
@@ -100,6 +101,26 @@ TEST_F(Files, LeavesNothingBehindOnFailure) {
   EXPECT_EQ(write_file(in_folder("none/a"), bytes_of("x")).error().code, ErrorCode::kFileWrite);
   EXPECT_EQ(write_file("/dev/full", bytes_of("x")).error().code, ErrorCode::kFileWrite);
   EXPECT_EQ(count(), 1U);
+}
+
+TEST_F(Files, SeveralAreWrittenAllOrNone) {
+  ASSERT_TRUE(write_file(in_folder("a"), bytes_of("old")));
+  const auto write_with = [&](const std::string& other) {
+    return write_files(std::array{NewFile{in_folder("a"), bytes_of("new")}, NewFile{other, bytes_of("other")},
+                                  NewFile{in_folder("b"), bytes_of("newest")}});
+  };
+  for (const std::string& path : {in_folder("none/c"), std::string("/dev/full")}) {
+    const auto written = write_with(path);
+    ASSERT_FALSE(written) << path;
+    EXPECT_EQ(written.error().code, ErrorCode::kFileWrite);
+    EXPECT_EQ(written.error().where, 1U);
+    EXPECT_EQ(text_of(in_folder("a")), "old");
+    EXPECT_EQ(count(), 1U);
+  }
+  ASSERT_TRUE(write_with("/dev/null"));
+  ASSERT_TRUE(write_with(in_folder("c")));
+  EXPECT_EQ(text_of(in_folder("a")) + text_of(in_folder("b")) + text_of(in_folder("c")), "newnewestother");
+  EXPECT_EQ(count(), 3U);
 }
 
 TEST_F(Files, ReadsOnlyFiles) {
