@@ -129,12 +129,12 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
   return code_on_lattices(attribute, rows, bound, settings.effort, surface);
 }
 
-/// What a coding of the attribute's kind cannot keep: exactly, but weights within the bound.
+/// What a coding of the attribute's kind cannot keep: exactly. Within a bound weights of several sets would
+/// no longer add up to 1.
 std::optional<CodedAttribute> code_as_numbers(const AttributeView& attribute, const AttributeRows& rows,
-                                              double bound, const AttributeSettings& settings,
+                                              const AttributeSettings& settings,
                                               const AttributeSurface& surface) {
-  const double each = attribute.kind == AttributeKind::kWeights ? bound * normalized_one(attribute.type) : 0;
-  return code_on_lattices(attribute, rows, each, settings.effort, surface);
+  return code_on_lattices(attribute, rows, 0, settings.effort, surface);
 }
 
 /// With the values that no coding holds beside [ATTR-12]; empty where there are none, or too many.
@@ -152,7 +152,7 @@ std::optional<CodedAttribute> code_with_exceptions(const AttributeView& attribut
   std::iota(order.begin(), order.end(), 0U);
   const AttributeRows rest_rows(rest, order);
   auto coded = code_kind(rest, rest_rows, bound, settings, surface, others);
-  if (!coded) coded = code_as_numbers(rest, rest_rows, bound, settings, surface);
+  if (!coded) coded = code_as_numbers(rest, rest_rows, settings, surface);
   if (!coded) return std::nullopt;
   ByteWriter out;
   out.write(static_cast<std::uint8_t>(static_cast<std::uint8_t>(coded->payload[0]) | kExceptionsFlag));
@@ -170,7 +170,7 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
                                                std::span<const Attribute> others) {
   auto coded = code_kind(attribute, rows, bound, settings, surface, others);
   if (!coded) coded = code_with_exceptions(attribute, rows, bound, settings, surface, others);
-  if (!coded) coded = code_as_numbers(attribute, rows, bound, settings, surface);
+  if (!coded) coded = code_as_numbers(attribute, rows, settings, surface);
   // Exact wide values may repeat in a way that only zstd finds, as in copies of parts. In large arrays it
   // never won.
   constexpr std::size_t kMostBytes = 1U << 16;

@@ -178,12 +178,22 @@ TEST(Skin, ATTR63IntegerWeightsAreExactOrWithinABound) {
   expect_exact_integers<std::uint16_t>(ComponentType::kU16, 65535);
 }
 
-TEST(Skin, ATTR55WeightsWithAnotherSumAreCodedOneByOne) {
-  auto source = bent_weights();
-  for (float& weight : source) weight *= 0.75F;
-  const auto coded = code(make(AttributeKind::kWeights, ComponentType::kF32, "WEIGHTS_0", source), 1e-3);
-  EXPECT_EQ(coding_of(coded), AttributeCoding::kLattice);
-  EXPECT_LE(coded.descriptor.error, short_float_above(1e-3F));
+TEST(Skin, ATTR55WeightsThatDoNotAddUpToOneAreExact) {
+  // Two sets that add up to 1 together: within a bound each, they would no longer.
+  std::vector<float> first;
+  std::vector<float> second;
+  for (const float weight : bent_weights()) {
+    first.push_back(0.6F * weight);
+    second.push_back(weight - first.back());
+  }
+  for (const auto& source : {first, second}) {
+    const Attribute weights = make(AttributeKind::kWeights, ComponentType::kF32, "WEIGHTS", source);
+    for (const double bound : {1e-3, 0.02}) {
+      const auto coded = code(weights, bound);
+      EXPECT_EQ(coding_of(coded), AttributeCoding::kLattice);
+      EXPECT_EQ(coded.decoded.values, weights.values);
+    }
+  }
 }
 
 TEST(Skin, ATTR62ATTR64JointsTellWhichWeightIsWhose) {
