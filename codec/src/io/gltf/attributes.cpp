@@ -153,7 +153,24 @@ void turn(Attribute& attribute, const VertexSet& set, bool tangent) {
   }
 }
 
-void fill_missing(const VertexSet& set, Attribute& attribute) {
+/// The same for people.
+std::string missing_text(AttributeKind kind) {
+  switch (kind) {
+    case AttributeKind::kColor:
+      return "white";
+    case AttributeKind::kNormal:
+      return "normals of the faces around";  // of vertices that faces use: read.cpp
+    case AttributeKind::kTangent:
+      return "1 0 0 1";
+    default:
+      return "0";
+  }
+}
+
+void fill_missing(const VertexSet& set, Attribute& attribute, ReadReport& report) {
+  report.leave_out(LeftOutKind::kGuesses,
+                   missing_text(attribute.kind) + " as " + attribute.name + " of vertices without",
+                   set.count);
   for (std::uint64_t v = set.first; v < set.first + set.count; ++v)
     for (std::size_t c = 0; c < attribute.components; ++c)
       store(attribute, v, c, missing_value(attribute.kind, c));
@@ -211,7 +228,7 @@ Result<std::vector<Attribute>> merge_attributes(const Document& document, const 
     for (const VertexSet& set : sets) {
       const auto own = set.semantics.find(semantic);
       if (own == set.semantics.end()) {
-        fill_missing(set, attribute);
+        fill_missing(set, attribute, report);
         continue;
       }
       DELTAMESH_TRY(const AccessorRows rows, plain_rows(document, own->second));

@@ -31,10 +31,10 @@ struct VertexSet {
 
 /// All attributes but the position, of `vertices` vertices. NORMAL, TANGENT and TEXCOORD_n become float32,
 /// normals and tangents are turned with their node. Where the sets differ: a colour that some lack is filled
-/// with opaque white, tangents with x, normals with z, the rest with 0; colours and weights of several types
-/// become float32, joints u16. A custom attribute that a set lacks, or has in another type, and one whose
-/// name is not UTF-8 of 1 to 255 bytes, is left out and told to `report`. Errors: kInvalidFile: a
-/// semantic with a wrong type or count, accessors out of range.
+/// with opaque white, tangents with x, normals with z, the rest with 0, which `report` is told; colours and
+/// weights of several types become float32, joints u16. A custom attribute that a set lacks, or has in
+/// another type, and one whose name is not UTF-8 of 1 to 255 bytes, is left out and told to `report`. Errors:
+/// kInvalidFile: a semantic with a wrong type or count, accessors out of range.
 Result<std::vector<Attribute>> merge_attributes(const Document& document, const std::vector<VertexSet>& sets,
                                                 std::uint64_t vertices, ReadReport& report);
 
