@@ -112,11 +112,15 @@ std::optional<Imported> load_mesh(const std::string& path, int& status, const Fi
   return std::nullopt;
 }
 
-std::optional<Imported> load_faces(const std::string& path, int& status, const FileOptions& options) {
+std::optional<Imported> load_faces(const std::string& path, int& status, const FileOptions& options,
+                                   bool takes_points) {
   std::optional<Imported> imported = load_mesh(path, status, options);
-  if (!imported || !imported->mesh.triangles.empty() || imported->mesh.positions.empty()) return imported;
-  print_error(path,
-              counted(imported->mesh.vertex_count(), "point", "points") + " and no faces: nothing to code");
+  if (!imported || !imported->mesh.triangles.empty()) return imported;
+  const std::uint64_t points = imported->mesh.vertex_count();
+  const std::string losses = imported->report.left_out.empty() ? "" : left_out_text(imported->report);
+  if (points > 0 ? takes_points : losses.empty()) return imported;
+  print_error(path, (points > 0 ? counted(points, "point", "points") + " and " : "") +
+                        "no faces: nothing to code" + (losses.empty() ? "" : "; left out: " + losses));
   status = kBadInput;
   return std::nullopt;
 }

@@ -42,8 +42,10 @@ Result<void> write_output(const std::string& path, std::span<const std::byte> by
 /// Reads a mesh; on failure prints why and leaves the exit code in `status`.
 std::optional<Imported> load_mesh(const std::string& path, int& status, const FileOptions& options = {});
 
-/// The same for what is about to be coded: a file that has points alone is refused.
-std::optional<Imported> load_faces(const std::string& path, int& status, const FileOptions& options);
+/// The same for what is about to be coded: a file without faces is refused, but for an empty one of which
+/// nothing is left out, and points where the command `takes_points`.
+std::optional<Imported> load_faces(const std::string& path, int& status, const FileOptions& options,
+                                   bool takes_points = false);
 
 /// Prints an error of coding the mesh of `path`; one about a vertex that is not finite with the option that
 /// helps.

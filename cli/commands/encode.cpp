@@ -129,9 +129,8 @@ int run_encode(const EncodeArguments& arguments) {
   if (const Result<void> valid = validate(arguments.options); !valid) return fail("encode", valid.error());
   int status = kOk;
   if (!check_outputs(arguments, status)) return status;
-  std::optional<Imported> imported = arguments.options.keep_unreferenced
-                                         ? load_mesh(arguments.in, status, arguments.files)
-                                         : load_faces(arguments.in, status, arguments.files);
+  std::optional<Imported> imported =
+      load_faces(arguments.in, status, arguments.files, arguments.options.keep_unreferenced);
   if (imported && arguments.options.keep_unreferenced)
     imported->report.position_error =
         std::max(imported->report.position_error, imported->report.unused_position_error);

@@ -19,6 +19,10 @@ sed 's/parts_plain.bin/..\/parts.bin/' parts_plain.gltf >unsafe.gltf
 run encode unsafe.gltf unsafe.dmsh
 sed 's/parts_plain.bin/Stra\xc3\x9fe\xc2\x9b.bin/' parts_plain.gltf >letters.gltf
 run encode letters.gltf letters.dmsh
+# What a scene does not show is told; without any mesh there is nothing to code.
+sed 's/"nodes": *\[0\]/"nodes":[]/' plain.gltf >hidden.gltf
+run encode hidden.gltf hidden.dmsh
+run encode hidden.gltf hidden.dmsh --keep-unreferenced
 # What an asset names goes with it.
 mkdir there
 printf 'pixels' >t.png

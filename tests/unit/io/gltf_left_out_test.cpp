@@ -43,5 +43,34 @@ TEST(GltfLeftOut, ValuesOfVerticesWithoutAreGuesses) {
   EXPECT_EQ(report.left_out.size(), 5U);
 }
 
+TEST(GltfLeftOut, MeshesThatTheSceneDoesNotShow) {
+  constexpr const char* kHidden = "meshes that the scene does not show";
+  GltfBuilder builder;
+  const test::Sheet sheet = make_sheet(3);
+  for (int i = 0; i < 3; ++i) builder.sheet_mesh(sheet);
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 0U);
+  builder.json["scenes"] = Json::array({Json{{"nodes", {1}}}, Json{{"nodes", {1, 2}}}});
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 1U);
+  builder.json["scene"] = 0;
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 2U);
+  builder.json["scenes"][0].erase("nodes");
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 3U);
+  builder.json["meshes"].push_back(builder.json["meshes"][0]);  // which no node names
+  builder.push("nodes", {{"mesh", 0}});                         // another place of one
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 5U);
+}
+
+TEST(GltfLeftOut, ExtensionsThatMaySaySomethingAboutMeshes) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(3));
+  builder.json["extensionsUsed"] = {
+      "KHR_materials_unlit", "KHR_texture_transform", "KHR_mesh_quantization",  "EXT_mesh_gpu_instancing",
+      "KHR_lights_punctual", "EXT_mesh_features",     "KHR_materials_variants", "KHR_node_visibility"};
+  const ReadReport report = read(builder).report;
+  for (const char* const name : {"EXT_mesh_features", "KHR_materials_variants", "KHR_node_visibility"})
+    EXPECT_EQ(left_out(report, LeftOutKind::kElements, std::string("extension ") + name), 1U) << name;
+  EXPECT_EQ(report.left_out.size(), 3U);
+}
+
 }  // namespace
 }  // namespace deltamesh::gltf_left_out_test

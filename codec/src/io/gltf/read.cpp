@@ -60,6 +60,38 @@ void leave_out_parts(const Json& json, ReadReport& report) {
   report.leave_out(LeftOutKind::kVertexValues, "morph targets", targets);
 }
 
+/// Tells `report` of extensions that may say something about meshes and are not understood. Of the harmless
+/// ones two do; what the others belong to is told as left out itself.
+void leave_out_extensions(const Json& json, ReadReport& report) {
+  const Json* const used = find(json, "extensionsUsed");
+  for (const Json& entry : used ? *used : Json::array()) {
+    const auto& name = entry.get_ref<const std::string&>();
+    const bool is_harmless =
+        is_harmless_extension(name) && name != "KHR_materials_variants" && name != "KHR_node_visibility";
+    if (!is_harmless && name != "EXT_mesh_gpu_instancing")
+      report.leave_out(LeftOutKind::kElements, "extension " + name);
+  }
+}
+
+/// Tells `report` of nodes whose meshes have no place, and of meshes that no node names.
+void leave_out_meshes(const Json& json, const std::vector<Placement>& placements, ReadReport& report) {
+  std::vector<bool> shown(array_size(json, "nodes"));
+  std::vector<bool> named(array_size(json, "meshes"));
+  for (const Placement& placement : placements) {
+    if (placement.node) shown[*placement.node] = true;
+    named[placement.mesh] = true;
+  }
+  std::uint64_t hidden = 0;
+  for (std::size_t n = 0; n < shown.size(); ++n) {
+    const auto mesh = unsigned_member(json["nodes"][n], "mesh", kNoLimit, kNoLimit, {});
+    if (shown[n] || !mesh || *mesh >= named.size()) continue;
+    named[*mesh] = true;
+    ++hidden;
+  }
+  hidden += static_cast<std::uint64_t>(std::count(named.begin(), named.end(), false));
+  report.leave_out(LeftOutKind::kElements, "meshes that the scene does not show", hidden);
+}
+
 class Assembly {
  public:
   explicit Assembly(const Document& document)
@@ -81,7 +113,9 @@ class Assembly {
     place_origin(coordinates_, imported_.mesh.triangles, imported_);
     fill_normals();
     groups_.move_into(imported_);
+    leave_out_meshes(document_.json, placements, imported_.report);
     leave_out_parts(document_.json, imported_.report);
+    leave_out_extensions(document_.json, imported_.report);
     imported_.report.files = named_files(document_.json);
     return std::move(imported_);
   }

@@ -175,8 +175,7 @@ Result<std::vector<Placement>> place_meshes(const Document& document) {
   const Json& json = document.json;
   std::vector<Placement> placements;
   if (array_size(json, "nodes") == 0 && array_size(json, "scenes") == 0) {
-    for (std::size_t m = 0; m < array_size(json, "meshes"); ++m)
-      placements.push_back({.mesh = m, .transform = {}});
+    for (std::size_t m = 0; m < array_size(json, "meshes"); ++m) placements.push_back({.mesh = m});
     return placements;
   }
   DELTAMESH_TRY(const auto roots, find_roots(json));
@@ -198,8 +197,9 @@ Result<std::vector<Placement>> place_meshes(const Document& document) {
       if (placements.size() + instances.size() > kFreePlaces + document.input_bytes)
         return element_error("a node repeats its mesh more often than the size of the file suggests", number);
       for (const Transform& instance : instances)
-        placements.push_back(
-            {.mesh = mesh, .transform = node.contains("skin") ? Transform{} : transform * instance});
+        placements.push_back({.mesh = mesh,
+                              .node = number,
+                              .transform = node.contains("skin") ? Transform{} : transform * instance});
     }
     DELTAMESH_TRY(const auto children, node_numbers(json, node, "children"));
     for (auto child = children.rbegin(); child != children.rend(); ++child)

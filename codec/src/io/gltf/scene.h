@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "base/numbers/vec3.h"
@@ -32,8 +33,9 @@ struct Transform {
 };
 
 struct Placement {
-  std::size_t mesh = 0;  ///< number
-  Transform transform;
+  std::size_t mesh = 0;               ///< number
+  std::optional<std::size_t> node{};  ///< number; none where there are no nodes
+  Transform transform{};
 };
 
 /// The meshes of the default scene, or of all scenes where none is the default, or of all root nodes where
