@@ -87,8 +87,8 @@ struct Imported {
   std::vector<float> roundings{};
 };
 
-/// Reads a mesh from bytes; objects, groups and materials become groups of faces with names; for kGltf
-/// external buffers are resolved against `folder` (never outside it). Vertices that are not finite are
+/// Reads a mesh from bytes; objects, groups, materials and solids become groups of faces with names; for
+/// kGltf external buffers are resolved against `folder` (never outside it). Vertices that are not finite are
 /// dropped where no face uses them. Coordinates that do not fit float32 keep their precision through
 /// Mesh::origin. Errors: kInvalidFile with line, byte or element, kLimitExceeded (glTF: JSON nested deeper
 /// than 128), kFileOpen and kFileRead (external buffers), kOutOfMemory.

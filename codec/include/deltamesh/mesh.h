@@ -49,7 +49,7 @@ struct Attribute {
 
 /// What files call a group of faces; UTF-8, at most 255 bytes each, empty where they say nothing.
 struct GroupName {
-  std::string object{};    ///< OBJ: o; glTF: the mesh
+  std::string object{};    ///< OBJ: o; glTF: the mesh; STL: the solid
   std::string group{};     ///< OBJ: g
   std::string material{};  ///< OBJ: usemtl; glTF: the material
 

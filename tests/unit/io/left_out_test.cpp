@@ -165,6 +165,24 @@ std::string stl(const std::string& title, const std::vector<std::uint16_t>& attr
   return text;
 }
 
+TEST(LeftOut, StlSolidsBecomeFaceGroups) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  const Imported three = read("solid Left  Side\n" + facet + facet + "endsolid Left Side\nsolid\n" + facet +
+                                  "endsolid\nsolid right " + facet + "endsolid right\n",
+                              FileFormat::kStl);
+  EXPECT_EQ(three.mesh.face_groups, (Groups{0, 0, 1, 2}));
+  EXPECT_EQ(three.mesh.group_names,
+            (std::vector<GroupName>{{.object = "Left Side"}, {}, {.object = "right"}}));
+  EXPECT_TRUE(three.report.left_out.empty());
+  const Imported one = read("solid a\n" + facet + "endsolid a\n", FileFormat::kStl);
+  EXPECT_TRUE(one.mesh.face_groups.empty());
+  EXPECT_EQ(one.mesh.group_names, (std::vector<GroupName>{{.object = "a"}}));
+  EXPECT_TRUE(read("solid\n" + facet + "endsolid\n", FileFormat::kStl).mesh.group_names.empty());
+  const Imported wrong = read("solid \xff\n" + facet + "endsolid\n", FileFormat::kStl);
+  EXPECT_EQ(left_out(wrong.report, LeftOutKind::kNames), 1U);
+}
+
 TEST(LeftOut, StlFacetsHaveColorsOfTwoConventions) {
   using Bytes = std::vector<std::uint8_t>;
   const Mesh viscam = read(stl("x", {0x8000 | 31 << 10, 0x8000 | 16}), FileFormat::kStl).mesh;

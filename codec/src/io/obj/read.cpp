@@ -11,8 +11,8 @@
 #include "base/try.h"
 #include "io/components.h"
 #include "io/formats.h"
-#include "io/obj/groups.h"
 #include "io/polygons/mesh.h"
+#include "io/polygons/named_groups.h"
 #include "io/text/numbers.h"
 #include "io/text/scanner.h"
 
@@ -255,7 +255,7 @@ class ObjReader {
   Faces faces_;
   std::vector<std::uint32_t> uv_index_, normal_index_;  // of every corner of `faces_`
   std::vector<std::uint32_t> corners_;
-  ObjGroups groups_;
+  NamedGroups groups_;
   ReadReport report_;
 };
 

@@ -16,6 +16,7 @@
 #include "io/first_equal.h"
 #include "io/formats.h"
 #include "io/polygons/mesh.h"
+#include "io/polygons/named_groups.h"
 #include "io/text/scanner.h"
 
 namespace deltamesh {
@@ -28,6 +29,7 @@ struct Facets {
   std::vector<double> coordinates;          ///< 9 for each
   std::vector<std::uint16_t> attributes{};  ///< binary files
   std::string_view header{};                ///< binary files
+  NamedGroups groups{};                     ///< text files: by the names of solids
 };
 
 /// Facets that a binary header states; 0 where the file is too short for one.
@@ -43,19 +45,24 @@ class Words {
   explicit Words(std::string_view text) : scanner_(text, {}) {}
   std::string_view next() { return lower(scanner_.next_token()); }
 
-  /// Passes a name up to the end of the line, or to where a statement follows it on the same line.
-  void skip_name() {
+  /// A name up to the end of the line, or to where a statement follows it on the same line; as it stands
+  /// there, with single spaces.
+  std::string next_name() {
+    std::string name;
     for (TextScanner before = scanner_;; before = scanner_) {
-      std::string_view word = lower(scanner_.next_token_on_line());
-      if (word.empty()) return;
+      const std::string_view as_it_stands = scanner_.next_token_on_line();
+      const std::string_view word = lower(as_it_stands);
+      if (word.empty()) return name;
       bool statement = word == "solid" || word == "endsolid";
       if (word == "facet") {
         TextScanner ahead = scanner_;
         statement = lower(ahead.next_token()) == "normal";
       }
-      if (!statement) continue;
-      scanner_ = before;
-      return;
+      if (statement) {
+        scanner_ = before;
+        return name;
+      }
+      (name += name.empty() ? "" : " ") += as_it_stands;
     }
   }
 
@@ -154,9 +161,11 @@ Result<Facets> read_text(std::span<const std::byte> bytes, ReadReport& report) {
     any = true;
     if (word == "solid" || word == "endsolid") {
       open = word == "solid";
-      words.skip_name();
+      const std::string name = words.next_name();
+      if (open) facets.groups.begin(&GroupName::object, name, report);
     } else if (word == "facet") {
       DELTAMESH_CHECK(read_facet(words, facets.coordinates));
+      facets.groups.add_face();
     } else {
       return words.error("STL: neither a facet nor the beginning or end of a solid");
     }
@@ -231,6 +240,7 @@ Result<Imported> read_stl(std::span<const std::byte> bytes) {
   PolygonMesh mesh = weld(std::move(facets.coordinates));
   report.welded_corners = mesh.faces.corners().size() - mesh.coordinates.size() / 3;
   add_colors(facets, mesh, report);
+  facets.groups.move_into(mesh, report);
   return to_triangles(std::move(mesh), std::move(report));
 }
 

@@ -41,7 +41,7 @@ class PrimitiveGroups {
 
   void add_faces(std::uint32_t group, std::size_t count) { of_faces_.insert(of_faces_.end(), count, group); }
 
-  /// As ObjGroups does.
+  /// As NamedGroups does.
   void move_into(Imported& imported) {
     if (groups_.size() > kMostGroups)
       return imported.report.leave_out(LeftOutKind::kFaceValues, "groups, more than 65,536",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// OBJ's objects, groups and materials as groups of faces.
+// OBJ's objects, groups and materials, and STL's solids, as groups of faces.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace deltamesh {
 
-/// Faces of the same object, group and material are one group, numbered as they are met.
-class ObjGroups {
+/// Faces of the same names are one group, numbered as they are met.
+class NamedGroups {
  public:
   /// For the faces to come. Names that are not UTF-8 of at most 255 bytes are left out.
   void begin(std::string GroupName::*level, std::string_view name, ReadReport& report) {
