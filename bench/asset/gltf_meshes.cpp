@@ -73,7 +73,7 @@ Result<std::vector<std::byte>> dense_rows(const gltf::AccessorRows& rows) {
 
 /// Whether the primitive was read; false where it is no list of triangles with float positions.
 Result<bool> read_primitive(const Document& document, const Json& primitive, Primitive& result) {
-  DELTAMESH_TRY(const auto triangles, gltf::triangle_primitive(primitive, 0));
+  DELTAMESH_TRY(const auto triangles, gltf::triangle_primitive(primitive, {}));
   if (!triangles || triangles->mode != gltf::TriangleMode::kList) return false;
   DELTAMESH_TRY(const auto rows, gltf::read_accessor(document, triangles->position, 0));
   if (!rows || rows->shape().type != ComponentType::kF32 || rows->shape().components != 3) return false;

@@ -45,16 +45,23 @@ TEST(GltfPackErrors, NameThePrimitive) {
   beyond.sheet_mesh(sheet);
   Error error = pack_error(beyond.glb());
   EXPECT_EQ(error.code, ErrorCode::kInvalidFile);
-  EXPECT_EQ(error.where_kind, WhereKind::kElement);
-  EXPECT_EQ(error.where, 2U);
+  EXPECT_EQ(describe(error), "a vertex index beyond the primitive's vertices: 'mesh 2, primitive 0'");
 
   GltfBuilder nan = good;
   sheet = make_sheet(4);
-  sheet.positions[7] = std::numeric_limits<float>::quiet_NaN();
+  sheet.positions[16] = std::numeric_limits<float>::quiet_NaN();
   nan.sheet_mesh(sheet);
   error = pack_error(nan.glb());
   EXPECT_EQ(error.code, ErrorCode::kNotFinite);
-  EXPECT_EQ(error.where, 2U);
+  EXPECT_EQ(describe(error), "a coordinate is NaN or infinite: 'mesh 2, primitive 0', vertex 5");
+
+  GltfBuilder counts = good;
+  Json& primitives = counts.json["meshes"][1]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[1]["attributes"]["TEXCOORD_0"] = counts.floats({0, 0}, 2);
+  EXPECT_EQ(
+      describe(pack_error(counts.glb())),
+      "the attributes of a primitive differ in their number of values: 'mesh 1, primitive 1', accessor 8");
 }
 
 TEST(GltfPackErrors, RefuseAccessorsThatLie) {

@@ -41,7 +41,16 @@ enum class ErrorCode : std::uint16_t {
 };
 
 /// The kind of place that `Error::where` gives.
-enum class WhereKind : std::uint8_t { kNone, kByte, kLine, kVertex, kTriangle, kAttribute, kElement };
+enum class WhereKind : std::uint8_t {
+  kNone,
+  kByte,
+  kLine,
+  kVertex,
+  kTriangle,
+  kAttribute,
+  kElement,
+  kAccessor
+};
 
 /// An error value. No allocation: `message` and `rule` point to static strings.
 struct Error {

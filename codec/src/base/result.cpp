@@ -11,8 +11,8 @@ namespace deltamesh {
 namespace {
 
 /// By WhereKind.
-constexpr std::array<const char*, 7> kUnits{"",          "byte ",      "line ",   "vertex ",
-                                            "triangle ", "attribute ", "element "};
+constexpr std::array<const char*, 8> kUnits{"",          "byte ",      "line ",    "vertex ",
+                                            "triangle ", "attribute ", "element ", "accessor "};
 
 bool is_continuation(char c) noexcept { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; }
 

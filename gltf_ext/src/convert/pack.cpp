@@ -26,7 +26,7 @@ namespace {
 std::set<std::uint64_t> kept_accessors(Document& document, const std::vector<PrimitiveSource>& sources) {
   std::map<std::size_t, std::set<std::uint64_t>> coded;  // by primitive
   for (const PrimitiveSource& source : sources) {
-    std::set<std::uint64_t>& accessors = coded[source.number];
+    std::set<std::uint64_t>& accessors = coded[source.number.number];
     accessors.insert(source.position);
     if (source.indices) accessors.insert(*source.indices);
     for (const SourceAttribute& attribute : source.attributes) accessors.insert(attribute.accessor);
@@ -34,9 +34,9 @@ std::set<std::uint64_t> kept_accessors(Document& document, const std::vector<Pri
   std::set<std::uint64_t> kept = numbers_in_unknown_extensions(document.json);
   for_each_other_accessor(document.json,
                           [&](const Json& accessor) { kept.insert(accessor.get<std::uint64_t>()); });
-  for_each_primitive(document.json, [&](const Json& primitive, std::size_t number) {
+  for_each_primitive(document.json, [&](const Json& primitive, const PrimitiveNumber& place) {
     const auto keep = [&](const Json& accessor) {
-      const auto own = coded.find(number);
+      const auto own = coded.find(place.number);
       if (own == coded.end() || own->second.count(accessor.get<std::uint64_t>()) == 0)
         kept.insert(accessor.get<std::uint64_t>());
     };
@@ -73,9 +73,9 @@ Result<void> check_not_compressed(const Json& json, const GltfReport& report) {
 
 void write_primitives(Json& json, const std::vector<PackedPrimitive>& packed) {
   std::map<std::size_t, const PackedPrimitive*> by_number;
-  for (const PackedPrimitive& primitive : packed) by_number[primitive.number] = &primitive;
-  for_each_primitive(json, [&](Json& primitive, std::size_t number) {
-    if (const auto found = by_number.find(number); found != by_number.end())
+  for (const PackedPrimitive& primitive : packed) by_number[primitive.number.number] = &primitive;
+  for_each_primitive(json, [&](Json& primitive, const PrimitiveNumber& place) {
+    if (const auto found = by_number.find(place.number); found != by_number.end())
       write_extension(primitive, *found->second);
   });
 }

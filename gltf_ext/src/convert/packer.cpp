@@ -16,11 +16,8 @@ namespace {
 constexpr std::size_t kNoAccessor = std::numeric_limits<std::size_t>::max();
 
 /// Mesh errors of the encoder count vertices of the stream, which say nothing to the asset's owner.
-Error primitive_error(Error error, std::size_t number) noexcept {
-  if (error.code != ErrorCode::kInvalidMesh) return error;
-  error.where_kind = WhereKind::kElement;
-  error.where = number;
-  return error;
+Error named_error(const Error& error, const PrimitiveNumber& primitive) noexcept {
+  return error.code == ErrorCode::kInvalidMesh ? at_primitive(error, primitive) : error;
 }
 
 void count_attribute(std::vector<GltfAttributeReport>& reports, const GltfAttributeReport& one) {
@@ -68,7 +65,7 @@ void count_stream(GltfReport& report, const StreamMesh& merged, const Encoded& e
 }  // namespace
 
 Result<StreamPacker::Coded> StreamPacker::code(const StreamPlan& plan, const EncodeOptions& wanted) const {
-  const std::size_t first = sources_[plan.primitives.front()].number;
+  const PrimitiveNumber& first = sources_[plan.primitives.front()].number;
   const auto lattice = plan.lattice ? lattice_steps_.find(*plan.lattice) : lattice_steps_.end();
   const bool exact = lattice != lattice_steps_.end() && lattice->second == 0;
   const EncodeOptions asked = exact ? lossless_options(wanted) : wanted;
@@ -76,12 +73,12 @@ Result<StreamPacker::Coded> StreamPacker::code(const StreamPlan& plan, const Enc
   Coded coded;
   DELTAMESH_TRY(coded.merged, merge_primitives(store_, sources_, plan, merge_options(asked, plan)));
   auto options = stream_options(asked, coded.merged);
-  if (!options) return primitive_error(options.error(), first);
+  if (!options) return named_error(options.error(), first);
   if (lattice != lattice_steps_.end() && !exact) *options = lattice_options(*options, lattice->second);
   options->keep_order = keep_order;
   options->keep_unreferenced = true;  // merge_primitives() has chosen
   auto encoded = encode(coded.merged.mesh, *options);
-  if (!encoded) return primitive_error(encoded.error(), first);
+  if (!encoded) return named_error(encoded.error(), first);
   coded.encoded = *std::move(encoded);
   return coded;
 }
@@ -90,13 +87,13 @@ Result<void> StreamPacker::choose_lattices(const std::vector<StreamPlan>& plans,
   if (asked.lossless) return {};
   for (const StreamPlan& plan : plans) {
     if (!plan.lattice) continue;
-    const std::size_t first = sources_[plan.primitives.front()].number;
+    const PrimitiveNumber& first = sources_[plan.primitives.front()].number;
     DELTAMESH_TRY(const StreamMesh merged,
                   merge_primitives(store_, sources_, plan, merge_options(asked, plan)));
     const auto options = stream_options(asked, merged);
-    if (!options) return primitive_error(options.error(), first);
+    if (!options) return named_error(options.error(), first);
     const auto step = lattice_step(*options, merged.mesh);
-    if (!step) return primitive_error(step.error(), first);
+    if (!step) return named_error(step.error(), first);
     double& finest = lattice_steps_.try_emplace(*plan.lattice, *step).first->second;
     finest = std::min(finest, *step);
   }

@@ -63,7 +63,7 @@ class Unpacker {
 
  private:
   Result<void> unpack_primitive(const Mesh& mesh, const PackedPrimitive& primitive) {
-    const std::size_t number = primitive.number;
+    const PrimitiveNumber& number = primitive.number;
     DELTAMESH_CHECK(put(primitive.position, {}, position_column(mesh), number));
     for (const AttributeUse& use : primitive.attributes) {
       if (use.id >= mesh.attributes.size())
@@ -77,7 +77,7 @@ class Unpacker {
     return put_indices(primitive.indices, primitive.group, number);
   }
 
-  Result<void> put_indices(std::size_t accessor, std::uint64_t group, std::size_t number) {
+  Result<void> put_indices(std::size_t accessor, std::uint64_t group, const PrimitiveNumber& number) {
     const Error bad =
         rule_error("the accessor of the indices cannot hold the stream's vertex numbers", "GLTF-5", number);
     DELTAMESH_TRY(const auto shape, accessor_shape(document_, accessor));
@@ -94,7 +94,8 @@ class Unpacker {
     return put(accessor, role, index_column(type, indices->second), number);
   }
 
-  Result<void> put(std::size_t accessor, const Role& role, const Column& column, std::size_t number) {
+  Result<void> put(std::size_t accessor, const Role& role, const Column& column,
+                   const PrimitiveNumber& number) {
     DELTAMESH_TRY(const auto shape, accessor_shape(document_, accessor));
     if (!shape || shape->type != column.shape.type || shape->components != column.shape.components ||
         shape->count != column.shape.count)
@@ -134,7 +135,7 @@ class Unpacker {
   std::map<Role, std::vector<std::byte>> indices_;  ///< of groups
 };
 
-Result<Mesh> decode_stream(const Document& document, std::uint64_t view, std::size_t number,
+Result<Mesh> decode_stream(const Document& document, std::uint64_t view, const PrimitiveNumber& number,
                            const DecodeOptions& options) {
   DELTAMESH_TRY(const auto stream, view_bytes(document, view));
   if (!stream || document.json["bufferViews"][view].contains("extensions"))
@@ -148,7 +149,7 @@ Result<Mesh> decode_stream(const Document& document, std::uint64_t view, std::si
 }
 
 void remove_extensions(Json& json) {
-  for_each_primitive(json, [](Json& primitive, std::size_t) { remove_extension(primitive); });
+  for_each_primitive(json, [](Json& primitive, const PrimitiveNumber&) { remove_extension(primitive); });
   remove_extension_name(json, kExtensionName);
 }
 
@@ -156,7 +157,7 @@ void remove_extensions(Json& json) {
 Result<PrimitivesOfView> find_packed(const Json& json, GltfReport& report) {
   PrimitivesOfView streams;
   Result<void> result;
-  for_each_primitive(json, [&](const Json& primitive, std::size_t number) {
+  for_each_primitive(json, [&](const Json& primitive, const PrimitiveNumber& number) {
     ++report.primitives;
     if (!result) return;
     auto packed = read_extension(primitive, number);

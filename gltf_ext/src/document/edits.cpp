@@ -13,7 +13,7 @@ namespace {
 template <class JsonType, class Visit>
 void for_each_accessor_reference(JsonType& json, Visit&& visit) {
   for_each_other_accessor(json, visit);
-  for_each_primitive(json, [&](auto& primitive, std::size_t) {
+  for_each_primitive(json, [&](auto& primitive, const PrimitiveNumber&) {
     for (auto& accessor : primitive["attributes"]) visit(accessor);
     if (auto* targets = find(primitive, "targets"))
       for (auto& target : *targets)

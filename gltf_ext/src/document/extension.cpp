@@ -37,13 +37,13 @@ Result<void> read_targets(const Json& ids, const Json& primitive, PackedPrimitiv
 
 }  // namespace
 
-Error rule_error(const char* message, const char* rule, std::size_t primitive) noexcept {
-  Error error = element_error(message, primitive);
+Error rule_error(const char* message, const char* rule, const PrimitiveNumber& primitive) noexcept {
+  Error error = primitive_error(message, primitive);
   error.rule = rule;
   return error;
 }
 
-Result<std::optional<PackedPrimitive>> read_extension(const Json& primitive, std::size_t number) {
+Result<std::optional<PackedPrimitive>> read_extension(const Json& primitive, const PrimitiveNumber& number) {
   const Json* extensions = find(primitive, "extensions");
   const Json* extension = extensions ? find(*extensions, kExtensionName) : nullptr;
   if (!extension) return std::optional<PackedPrimitive>();

@@ -11,7 +11,7 @@
 
 #include "deltamesh/result.h"
 #include "document/semantics.h"
-#include "io/gltf/json.h"
+#include "io/gltf/structure.h"
 
 namespace deltamesh::gltf {
 
@@ -24,7 +24,7 @@ struct AttributeUse {
 
 /// A primitive with the extension, its references checked as far as possible without the stream.
 struct PackedPrimitive {
-  std::size_t number = 0;  ///< over all meshes
+  PrimitiveNumber number{};
   std::uint64_t view = 0;  ///< of the stream
   std::uint64_t group = 0;
   std::size_t position = 0;                ///< accessor
@@ -33,11 +33,11 @@ struct PackedPrimitive {
 };
 
 /// kInvalidFile at a primitive, with the extension's rule that it breaks.
-Error rule_error(const char* message, const char* rule, std::size_t primitive) noexcept;
+Error rule_error(const char* message, const char* rule, const PrimitiveNumber& primitive) noexcept;
 
 /// Nothing where the primitive does not have the extension. Precondition: check_structure(). Errors:
 /// kInvalidFile [GLTF-1, 2, 3, 4, 11].
-Result<std::optional<PackedPrimitive>> read_extension(const Json& primitive, std::size_t number);
+Result<std::optional<PackedPrimitive>> read_extension(const Json& primitive, const PrimitiveNumber& number);
 
 /// Gives the primitive the extension and the accessors that `packed` names.
 void write_extension(Json& primitive, const PackedPrimitive& packed);

@@ -20,7 +20,7 @@ bool is_core_map(const Document& document, const Json& map, int target) {
 
 void drop_needless_quantization(Document& document) {
   bool needed = false;
-  for_each_primitive(document.json, [&](const Json& primitive, std::size_t) {
+  for_each_primitive(document.json, [&](const Json& primitive, const PrimitiveNumber&) {
     needed |= !is_core_map(document, primitive["attributes"], kBase);
     if (const Json* targets = find(primitive, "targets"))
       for (std::size_t i = 0; i < targets->size(); ++i)

@@ -60,7 +60,7 @@ Result<void> mark_borders(const AccessorStore& store, const std::vector<Primitiv
       DELTAMESH_TRY(const auto corners, read_corners(store, source));
       for (const std::uint32_t corner : corners) {
         const Vec3 position = vector_at(store.rows(source.position), corner);
-        Place& place = own.emplace_back(Place{.space = space_of[source.mesh], .plan = plan});
+        Place& place = own.emplace_back(Place{.space = space_of[source.number.mesh], .plan = plan});
         for (std::size_t k = 0; k < 3; ++k)
           place.bits[k] = std::bit_cast<std::uint32_t>(static_cast<float>(position[k]) + 0.0F);  // one zero
       }

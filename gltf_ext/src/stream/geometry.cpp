@@ -20,7 +20,7 @@ double smallest_diagonal_share(const Mesh& mesh, const std::vector<std::vector<s
   for (std::size_t i = 0; i < plan.primitives.size(); ++i) {
     const Box& box = of_group[plan.group_of[i]];
     if (box.is_empty()) continue;
-    Box& whole = of_mesh.try_emplace(sources[plan.primitives[i]].mesh, Box::empty()).first->second;
+    Box& whole = of_mesh.try_emplace(sources[plan.primitives[i]].number.mesh, Box::empty()).first->second;
     for (const Vec3& corner : {box.min, box.max}) {
       all.add(corner);
       whole.add(corner);

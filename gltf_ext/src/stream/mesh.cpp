@@ -23,6 +23,14 @@ namespace {
 constexpr std::size_t kPositionBytes = 3 * sizeof(float);
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
+Error not_finite(const PrimitiveSource& source, std::size_t vertex) noexcept {
+  Error error = at_primitive({.code = ErrorCode::kNotFinite, .message = "a coordinate is NaN or infinite"},
+                             source.number);
+  error.where_kind = WhereKind::kVertex;
+  error.where = vertex;
+  return error;
+}
+
 class Merger {
  public:
   Merger(const AccessorStore& store, const std::vector<PrimitiveSource>& sources, const StreamPlan& plan,
@@ -32,10 +40,9 @@ class Merger {
   Result<StreamMesh> merge() {
     find_attributes();
     if (result_.attributes.size() > DecodeLimits{}.attributes)
-      return Error{.code = ErrorCode::kLimitExceeded,
-                   .message = "the primitives of a mesh have too many different attributes",
-                   .where_kind = WhereKind::kElement,
-                   .where = sources_[plan_.primitives.front()].number};
+      return at_primitive({.code = ErrorCode::kLimitExceeded,
+                           .message = "the primitives of a mesh have too many different attributes"},
+                          sources_[plan_.primitives.front()].number);
     DELTAMESH_CHECK(read_triangles());
     RowPool pool(row_size_);
     for (std::size_t v = 0; v < plan_.vertices.size(); ++v) DELTAMESH_CHECK(add_vertices(v, pool));
@@ -112,11 +119,7 @@ class Merger {
       for (std::size_t k = 0; k < 3; ++k) {
         float& x = position[k] = static_cast<float>(coordinates[k]);
         if (options_.one_zero) x += 0.0F;
-        if (!std::isfinite(x))
-          return Error{.code = ErrorCode::kNotFinite,
-                       .message = "a coordinate is NaN or infinite",
-                       .where_kind = WhereKind::kElement,
-                       .where = source.number};
+        if (!std::isfinite(x)) return not_finite(source, i);
       }
       std::memcpy(row.data(), position.data(), kPositionBytes);
       for (std::size_t a = 0; a < columns.size(); ++a)

@@ -78,7 +78,7 @@ class Planner {
       if (is_exact(i))
         clusters_.unite(i, first_of_key_[key_of_[i]]);
       else
-        clusters_.unite(i, first_of_mesh.try_emplace(sources_[i].mesh, i).first->second);
+        clusters_.unite(i, first_of_mesh.try_emplace(sources_[i].number.mesh, i).first->second);
     }
   }
 

@@ -34,14 +34,13 @@ class SourceFinder {
       : document_(document), store_(store), report_(report) {}
 
   /// Nothing, and a count in the report, where the primitive is left as it is.
-  Result<std::optional<PrimitiveSource>> find_source(const Json& primitive, std::size_t mesh,
-                                                     std::size_t number) {
+  Result<std::optional<PrimitiveSource>> find_source(const Json& primitive, const PrimitiveNumber& number) {
     DELTAMESH_TRY(const auto triangles, triangle_primitive(primitive, number));
     if (!triangles) return leave(report_.not_triangles);
     if (has_extension(primitive, kExtensionName) || has_extension(primitive, "KHR_draco_mesh_compression"))
       return leave(report_.otherwise_compressed);
 
-    PrimitiveSource source{*triangles, mesh};
+    PrimitiveSource source{*triangles};
     DELTAMESH_TRY(const auto shape, accessor_shape(document_, source.position));
     if (!shape || !is_position_shape(*shape)) return leave(report_.not_float_positions);
     DELTAMESH_TRY(const AccessorRows* rows, store_.read(source.position));
@@ -51,7 +50,7 @@ class SourceFinder {
       DELTAMESH_TRY(const AccessorRows* index_rows, store_.read(*source.indices));
       if (!index_rows) return leave(report_.otherwise_compressed);
       if (!is_index_shape(index_rows->shape()))
-        return element_error("the primitive's indices are not unsigned integers", number);
+        return primitive_error("the primitive's indices are not unsigned integers", number);
       corners = index_rows->shape().count;
     }
     if (corners < 3) return leave(report_.not_triangles);
@@ -89,8 +88,13 @@ class SourceFinder {
         continue;
       }
       DELTAMESH_TRY(const AccessorRows* rows, store_.read(accessor, vertices));
-      if (shape->count != vertices)
-        return element_error("the primitive's attributes differ in count", source.number);
+      if (shape->count != vertices) {
+        Error error =
+            primitive_error("the attributes of a primitive differ in their number of values", source.number);
+        error.where_kind = WhereKind::kAccessor;
+        error.where = accessor;
+        return error;
+      }
       if (!rows) return false;
       source.attributes.push_back({{item.key(), target}, accessor});
     }
@@ -108,14 +112,17 @@ Result<std::vector<PrimitiveSource>> find_sources(const Document& document, Acce
                                                   GltfReport& report) {
   std::vector<PrimitiveSource> sources;
   SourceFinder finder(document, store, report);
-  const Json* meshes = find(document.json, "meshes");
-  for (std::size_t mesh = 0; meshes && mesh < meshes->size(); ++mesh) {
-    for (const Json& primitive : (*meshes)[mesh]["primitives"]) {
-      const auto number = static_cast<std::size_t>(report.primitives++);
-      DELTAMESH_TRY(auto source, finder.find_source(primitive, mesh, number));
-      if (source) sources.push_back(*std::move(source));
-    }
-  }
+  Result<void> result;
+  for_each_primitive(document.json, [&](const Json& primitive, const PrimitiveNumber& number) {
+    if (!result) return;
+    ++report.primitives;
+    auto source = finder.find_source(primitive, number);
+    if (!source)
+      result = source.error();
+    else if (*source)
+      sources.push_back(**std::move(source));
+  });
+  DELTAMESH_CHECK(result);
   report.converted = sources.size();
   return sources;
 }

@@ -20,7 +20,6 @@ struct SourceAttribute {
 };
 
 struct PrimitiveSource : TrianglePrimitive {
-  std::size_t mesh = 0;
   /// Those that go into the stream, in the order of the primitive; then those of its morph targets. POSITION
   /// itself is not among them.
   std::vector<SourceAttribute> attributes{};

@@ -55,7 +55,7 @@ Result<const AccessorRows*> AccessorStore::read(std::size_t accessor, std::uint6
     if (owned_bytes_ > kMostOwnedBytes || rows_ > kMostStoredRows)
       return Error{.code = ErrorCode::kLimitExceeded,
                    .message = "the accessors stand for too much data",
-                   .where_kind = WhereKind::kElement,
+                   .where_kind = WhereKind::kAccessor,
                    .where = accessor};
     entry.rows = std::move(rows);
     entry.canonical = find_canonical(accessor, *entry.rows);

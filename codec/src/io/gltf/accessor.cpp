@@ -49,9 +49,9 @@ std::optional<ComponentType> component_of_number(std::uint64_t number) noexcept 
 Result<std::optional<ViewBytes>> rows_in_view(const Document& document, const Json& place,
                                               std::size_t row_size, std::uint64_t count,
                                               std::size_t accessor) {
-  const Error bad_view = element_error("the accessor's bufferView is malformed", accessor);
-  const Error bad_offset = element_error("the accessor's byteOffset is malformed", accessor);
-  const Error beyond = element_error("the accessor reaches beyond its buffer view", accessor);
+  const Error bad_view = accessor_error("the accessor's bufferView is malformed", accessor);
+  const Error bad_offset = accessor_error("the accessor's byteOffset is malformed", accessor);
+  const Error beyond = accessor_error("the accessor reaches beyond its buffer view", accessor);
   DELTAMESH_TRY(const auto view, unsigned_member(place, "bufferView", kNoLimit, kNoLimit - 1, bad_view));
   if (view == kNoLimit) return std::optional<ViewBytes>();
   DELTAMESH_TRY(const auto offset, unsigned_member(place, "byteOffset", 0, kNoLimit, bad_offset));
@@ -59,7 +59,7 @@ Result<std::optional<ViewBytes>> rows_in_view(const Document& document, const Js
   if (!bytes) return std::optional<ViewBytes>();
   const std::size_t stride = bytes->stride == 0 ? row_size : bytes->stride;
   if (stride < row_size)
-    return element_error("the accessor's rows are longer than the view's byteStride", accessor);
+    return accessor_error("the accessor's rows are longer than the view's byteStride", accessor);
   if (count == 0) return std::optional(ViewBytes{{}, stride});
   const auto last_row = saturating_mul(count - 1, stride);
   const auto end = saturating_add(saturating_add(offset, last_row), row_size);
@@ -80,7 +80,7 @@ std::vector<std::byte> copy_rows(const AccessorRows& rows) {
 /// Replaces the rows that `sparse` lists. False where its data is not plain.
 Result<bool> apply_sparse(const Document& document, const Json& sparse, const AccessorShape& shape,
                           std::vector<std::byte>& dense, std::size_t accessor) {
-  const Error bad = element_error("the accessor's sparse part is malformed", accessor);
+  const Error bad = accessor_error("the accessor's sparse part is malformed", accessor);
   const Json* indices = find(sparse, "indices");
   const Json* values = find(sparse, "values");
   if (!indices || !values) return bad;
@@ -96,7 +96,7 @@ Result<bool> apply_sparse(const Document& document, const Json& sparse, const Ac
   if (!index_view || !value_view) return false;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t target = read_index(index_view->bytes.subspan(i * index_view->stride, index_size));
-    if (target >= shape.count) return element_error("a sparse index beyond the accessor's count", accessor);
+    if (target >= shape.count) return accessor_error("a sparse index beyond the accessor's count", accessor);
     const auto row = value_view->bytes.subspan(i * value_view->stride, row_size);
     std::copy(row.begin(), row.end(), dense.begin() + static_cast<std::ptrdiff_t>(target * row_size));
   }
@@ -114,7 +114,7 @@ int gltf_component_type(ComponentType type) noexcept {
 Result<std::optional<AccessorShape>> accessor_shape(const Document& document, std::size_t accessor) {
   const Json& json = document.json["accessors"][accessor];
   const Error bad =
-      element_error("the accessor's type, componentType or count is missing or malformed", accessor);
+      accessor_error("the accessor's type, componentType or count is missing or malformed", accessor);
   const Json* type_name = find(json, "type");
   if (!type_name || !type_name->is_string() || !json.contains("count")) return bad;
   DELTAMESH_TRY(const auto number, unsigned_member(json, "componentType", 0, kNoLimit, bad));
@@ -143,7 +143,7 @@ Result<std::uint64_t> stored_bytes(const Document& document, std::size_t accesso
   std::uint64_t bytes = json.contains("bufferView") ? saturating_mul(shape->count, shape->row_size()) : 0;
   if (const Json* sparse = find(json, "sparse")) {
     constexpr std::uint64_t kIndexBytes = 4;
-    const Error bad = element_error("the accessor's sparse part is malformed", accessor);
+    const Error bad = accessor_error("the accessor's sparse part is malformed", accessor);
     DELTAMESH_TRY(const auto count, unsigned_member(*sparse, "count", 0, kNoLimit, bad));
     bytes = saturating_add(bytes, saturating_mul(count, kIndexBytes + shape->row_size()));
   }

@@ -103,7 +103,7 @@ Result<Layouts> find_layouts(const Document& document, const std::vector<VertexS
       if (semantic == "POSITION") continue;
       DELTAMESH_TRY(const AccessorShape shape, plain_shape(document, accessor));
       if (shape.count != set.count)
-        return element_error("the attributes of a primitive differ in their number of values", accessor);
+        return accessor_error("the attributes of a primitive differ in their number of values", accessor);
       DELTAMESH_TRY(const Layout layout, layout_of(semantic, shape));
       const auto [known, is_new] = layouts.emplace(semantic, layout);
       if (!is_new) merge(layout, known->second);
@@ -201,7 +201,7 @@ void fill(const AccessorRows& rows, const VertexSet& set, Attribute& attribute) 
 
 Result<AccessorShape> plain_shape(const Document& document, std::size_t accessor) {
   DELTAMESH_TRY(const auto shape, accessor_shape(document, accessor));
-  if (!shape) return element_error("an accessor of a type that is not supported", accessor);
+  if (!shape) return accessor_error("an accessor of a type that is not supported", accessor);
   return *shape;
 }
 
@@ -209,7 +209,7 @@ Result<AccessorRows> plain_rows(const Document& document, std::size_t accessor) 
   DELTAMESH_CHECK(plain_shape(document, accessor));
   DELTAMESH_TRY(auto rows, read_accessor(document, accessor, kNoLimit));
   if (!rows)
-    return element_error("the data of the accessor is in an extension that is not supported", accessor);
+    return accessor_error("the data of the accessor is in an extension that is not supported", accessor);
   return *std::move(rows);
 }
 

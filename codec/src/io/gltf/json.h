@@ -35,6 +35,14 @@ constexpr Error element_error(const char* message, std::uint64_t element) noexce
           .where = element};
 }
 
+/// kInvalidFile at an accessor.
+constexpr Error accessor_error(const char* message, std::uint64_t accessor) noexcept {
+  return {.code = ErrorCode::kInvalidFile,
+          .message = message,
+          .where_kind = WhereKind::kAccessor,
+          .where = accessor};
+}
+
 /// The member, or null where `object` is no object or has none of that name.
 const Json* find(const Json& object, const char* key) noexcept;
 Json* find(Json& object, const char* key) noexcept;

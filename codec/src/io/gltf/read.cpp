@@ -55,8 +55,9 @@ void leave_out_parts(const Json& json, ReadReport& report) {
     if (const Json* const lights = find(*extensions, "KHR_lights_punctual"); lights != nullptr)
       report.leave_out(LeftOutKind::kElements, "lights", array_size(*lights, "lights"));
   std::uint64_t targets = 0;
-  for_each_primitive(
-      json, [&](const Json& primitive, std::size_t) { targets += array_size(primitive, "targets"); });
+  for_each_primitive(json, [&](const Json& primitive, const PrimitiveNumber&) {
+    targets += array_size(primitive, "targets");
+  });
   report.leave_out(LeftOutKind::kVertexValues, "morph targets", targets);
 }
 
@@ -71,25 +72,6 @@ void leave_out_extensions(const Json& json, ReadReport& report) {
     if (!is_harmless && name != "EXT_mesh_gpu_instancing")
       report.leave_out(LeftOutKind::kElements, "extension " + name);
   }
-}
-
-/// Tells `report` of nodes whose meshes have no place, and of meshes that no node names.
-void leave_out_meshes(const Json& json, const std::vector<Placement>& placements, ReadReport& report) {
-  std::vector<bool> shown(array_size(json, "nodes"));
-  std::vector<bool> named(array_size(json, "meshes"));
-  for (const Placement& placement : placements) {
-    if (placement.node) shown[*placement.node] = true;
-    named[placement.mesh] = true;
-  }
-  std::uint64_t hidden = 0;
-  for (std::size_t n = 0; n < shown.size(); ++n) {
-    const auto mesh = unsigned_member(json["nodes"][n], "mesh", kNoLimit, kNoLimit, {});
-    if (shown[n] || !mesh || *mesh >= named.size()) continue;
-    named[*mesh] = true;
-    ++hidden;
-  }
-  hidden += static_cast<std::uint64_t>(std::count(named.begin(), named.end(), false));
-  report.leave_out(LeftOutKind::kElements, "meshes that the scene does not show", hidden);
 }
 
 class Assembly {
@@ -113,7 +95,8 @@ class Assembly {
     place_origin(coordinates_, imported_.mesh.triangles, imported_);
     fill_normals();
     groups_.move_into(imported_);
-    leave_out_meshes(document_.json, placements, imported_.report);
+    imported_.report.leave_out(LeftOutKind::kElements, "meshes that the scene does not show",
+                               hidden_meshes(document_.json, placements));
     leave_out_parts(document_.json, imported_.report);
     leave_out_extensions(document_.json, imported_.report);
     imported_.report.files = named_files(document_.json);
@@ -124,9 +107,11 @@ class Assembly {
   /// Lists the parts of a placed mesh; primitives with the same attributes share their vertices.
   Result<void> collect(const Placement& placement) {
     std::map<std::map<std::string, std::size_t>, std::size_t> known;
-    std::size_t number = first_primitive_[placement.mesh];
+    PrimitiveNumber number{.number = first_primitive_[placement.mesh], .mesh = placement.mesh};
     for (const Json& json : document_.json["meshes"][placement.mesh]["primitives"]) {
-      DELTAMESH_TRY(const auto primitive, triangle_primitive(json, number++));
+      DELTAMESH_TRY(const auto primitive, triangle_primitive(json, number));
+      ++number.number;
+      ++number.in_mesh;
       if (!primitive) {
         imported_.report.leave_out(LeftOutKind::kPrimitives, "primitives that are not triangles");
         continue;
@@ -135,7 +120,7 @@ class Assembly {
       const auto [set, is_new] = known.emplace(semantics, sets_.size());
       if (is_new) {
         DELTAMESH_TRY(const AccessorShape shape, plain_shape(document_, primitive->position));
-        if (shape.components != 3) return element_error("POSITION is not a VEC3", primitive->position);
+        if (shape.components != 3) return accessor_error("POSITION is not a VEC3", primitive->position);
         DELTAMESH_CHECK(reserve(vertices_, shape.count));
         sets_.push_back({.semantics = std::move(semantics),
                          .transform = &placement.transform,

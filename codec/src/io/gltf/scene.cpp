@@ -208,4 +208,21 @@ Result<std::vector<Placement>> place_meshes(const Document& document) {
   return placements;
 }
 
+std::uint64_t hidden_meshes(const Json& json, const std::vector<Placement>& placements) {
+  std::vector<bool> shown(array_size(json, "nodes"));
+  std::vector<bool> named(array_size(json, "meshes"));
+  for (const Placement& placement : placements) {
+    if (placement.node) shown[*placement.node] = true;
+    named[placement.mesh] = true;
+  }
+  std::uint64_t hidden = 0;
+  for (std::size_t n = 0; n < shown.size(); ++n) {
+    const auto mesh = unsigned_member(json["nodes"][n], "mesh", kNoLimit, kNoLimit, {});
+    if (shown[n] || !mesh || *mesh >= named.size()) continue;
+    named[static_cast<std::size_t>(*mesh)] = true;
+    ++hidden;
+  }
+  return hidden + static_cast<std::uint64_t>(std::count(named.begin(), named.end(), false));
+}
+
 }  // namespace deltamesh::gltf

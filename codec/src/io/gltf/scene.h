@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -44,5 +45,8 @@ struct Placement {
 /// 3.7.3.3). Errors: kInvalidFile: an index without its object, a node that is reached twice, a malformed
 /// node, more places than bytes. Cost O(nodes and instances).
 Result<std::vector<Placement>> place_meshes(const Document& document);
+
+/// How many nodes with meshes have none of the `placements`, and meshes that no node names.
+std::uint64_t hidden_meshes(const Json& json, const std::vector<Placement>& placements);
 
 }  // namespace deltamesh::gltf

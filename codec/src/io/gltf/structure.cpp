@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -30,8 +31,8 @@ constexpr std::array<std::string_view, 15> kHarmless{kExtensionName,
                                                      "EXT_lights_"};
 
 /// Every value of an object such as `attributes` is an accessor number.
-Result<void> check_accessor_map(const Json& map, std::size_t accessors, std::size_t primitive) {
-  const Error bad = element_error("an attribute of the primitive names no accessor", primitive);
+Result<void> check_accessor_map(const Json& map, std::size_t accessors, const PrimitiveNumber& primitive) {
+  const Error bad = primitive_error("an attribute of the primitive names no accessor", primitive);
   if (!map.is_object()) return bad;
   for (const Json& value : map) {
     const auto number = to_unsigned(value, kNoLimit, bad);
@@ -40,21 +41,21 @@ Result<void> check_accessor_map(const Json& map, std::size_t accessors, std::siz
   return {};
 }
 
-Result<void> check_primitive(const Json& primitive, std::size_t accessors, std::size_t number) {
+Result<void> check_primitive(const Json& primitive, std::size_t accessors, const PrimitiveNumber& number) {
   const Json* attributes = find(primitive, "attributes");
-  if (!attributes) return element_error("a primitive without attributes", number);
+  if (!attributes) return primitive_error("a primitive without attributes", number);
   DELTAMESH_CHECK(check_accessor_map(*attributes, accessors, number));
   if (const Json* indices = find(primitive, "indices")) {
-    const Error bad = element_error("the primitive's indices name no accessor", number);
+    const Error bad = primitive_error("the primitive's indices name no accessor", number);
     const auto accessor = to_unsigned(*indices, kNoLimit, bad);
     if (!accessor || *accessor >= accessors) return bad;
   }
   if (const Json* targets = find(primitive, "targets")) {
-    if (!targets->is_array()) return element_error("the primitive's targets are not an array", number);
+    if (!targets->is_array()) return primitive_error("the primitive's targets are not an array", number);
     for (const Json& target : *targets) DELTAMESH_CHECK(check_accessor_map(target, accessors, number));
   }
   if (const Json* extensions = find(primitive, "extensions"); extensions && !extensions->is_object())
-    return element_error("the primitive's extensions are not an object", number);
+    return primitive_error("the primitive's extensions are not an object", number);
   return {};
 }
 
@@ -68,7 +69,7 @@ Result<void> check_meshes(const Json& json) {
     DELTAMESH_CHECK(check_array_of_objects((*meshes)[i], "primitives", bad));
   }
   Result<void> result;
-  for_each_primitive(json, [&](const Json& primitive, std::size_t number) {
+  for_each_primitive(json, [&](const Json& primitive, const PrimitiveNumber& number) {
     if (result) result = check_primitive(primitive, accessors, number);
   });
   return result;
@@ -96,6 +97,17 @@ Result<void> check_extension_lists(const Json& json) {
 }
 
 }  // namespace
+
+Error at_primitive(Error error, const PrimitiveNumber& primitive) noexcept {
+  error.where_kind = WhereKind::kNone;
+  std::snprintf(error.found.data(), error.found.size(), "mesh %zu, primitive %zu", primitive.mesh,
+                primitive.in_mesh);
+  return error;
+}
+
+Error primitive_error(const char* message, const PrimitiveNumber& primitive) noexcept {
+  return at_primitive({.code = ErrorCode::kInvalidFile, .message = message}, primitive);
+}
 
 Result<void> check_array_of_objects(const Json& owner, const char* key, const Error& otherwise) {
   const Json* array = find(owner, key);

@@ -28,10 +28,11 @@ std::vector<std::uint32_t> as_list(const std::vector<std::uint32_t>& path, Trian
 
 }  // namespace
 
-Result<std::optional<TrianglePrimitive>> triangle_primitive(const Json& primitive, std::size_t number) {
+Result<std::optional<TrianglePrimitive>> triangle_primitive(const Json& primitive,
+                                                            const PrimitiveNumber& number) {
   constexpr auto kList = static_cast<std::uint64_t>(TriangleMode::kList);
   constexpr auto kFan = static_cast<std::uint64_t>(TriangleMode::kFan);
-  const Error bad_mode = element_error("the primitive's mode is malformed", number);
+  const Error bad_mode = primitive_error("the primitive's mode is malformed", number);
   DELTAMESH_TRY(const auto mode, unsigned_member(primitive, "mode", kList, kFan, bad_mode));
   const Json* position = find(primitive["attributes"], "POSITION");
   if (mode < kList || !position) return std::optional<TrianglePrimitive>();
@@ -44,12 +45,11 @@ Result<std::optional<TrianglePrimitive>> triangle_primitive(const Json& primitiv
 Result<std::vector<std::uint32_t>> triangle_corners(const TrianglePrimitive& primitive,
                                                     std::uint64_t vertices, const AccessorRows* indices) {
   if (vertices > ~std::uint32_t{0})
-    return Error{.code = ErrorCode::kLimitExceeded,
-                 .message = "a primitive with more vertices than an index can number",
-                 .where_kind = WhereKind::kElement,
-                 .where = primitive.number};
+    return at_primitive({.code = ErrorCode::kLimitExceeded,
+                         .message = "a primitive with more vertices than an index can number"},
+                        primitive.number);
   if (indices && !is_index_shape(indices->shape()))
-    return element_error("the primitive's indices are not unsigned integers", primitive.number);
+    return primitive_error("the primitive's indices are not unsigned integers", primitive.number);
   const bool is_list = primitive.mode == TriangleMode::kList;
   const std::uint64_t count = indices ? indices->shape().count : vertices;
   std::vector<std::uint32_t> corners(static_cast<std::size_t>(is_list ? count / 3 * 3 : count));
@@ -57,7 +57,7 @@ Result<std::vector<std::uint32_t>> triangle_corners(const TrianglePrimitive& pri
   for (std::size_t i = 0; indices && i < corners.size(); ++i) {
     corners[i] = read_index(indices->row(i));
     if (corners[i] >= vertices)
-      return element_error("a vertex index beyond the primitive's vertices", primitive.number);
+      return primitive_error("a vertex index beyond the primitive's vertices", primitive.number);
   }
   return is_list ? corners : as_list(corners, primitive.mode);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/gltf/accessor.h"
+#include "io/gltf/structure.h"
 
 namespace deltamesh::gltf {
 
@@ -18,7 +19,7 @@ namespace deltamesh::gltf {
 enum class TriangleMode : std::uint8_t { kList = 4, kStrip = 5, kFan = 6 };
 
 struct TrianglePrimitive {
-  std::size_t number = 0;  ///< over all meshes
+  PrimitiveNumber number{};
   TriangleMode mode = TriangleMode::kList;
   std::size_t position = 0;              ///< accessor
   std::optional<std::size_t> indices{};  ///< accessor
@@ -26,7 +27,8 @@ struct TrianglePrimitive {
 
 /// Nothing for points and lines, and where there are no positions. Precondition: check_structure(). Errors:
 /// kInvalidFile.
-Result<std::optional<TrianglePrimitive>> triangle_primitive(const Json& primitive, std::size_t number);
+Result<std::optional<TrianglePrimitive>> triangle_primitive(const Json& primitive,
+                                                            const PrimitiveNumber& number);
 
 /// Corners of whole triangles, as numbers of vertices, all below `vertices`. `indices`: null where the
 /// vertices themselves are the corners. Strips and fans become lists. Errors: kInvalidFile (an index beyond
