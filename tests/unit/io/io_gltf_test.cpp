@@ -387,7 +387,10 @@ TEST(GltfReader, BuffersInOtherFiles) {
 TEST(GltfReader, DataUris) {
   EXPECT_EQ(test::text_of(*gltf::decode_data_uri("data:text/plain;base64,aGVsbG8=")), "hello");
   EXPECT_EQ(test::text_of(*gltf::decode_data_uri("data:;base64,aGVsbG8h")), "hello!");
-  for (const char* uri : {"data:,hello", "data:;base64,a*b", "base64,aGVs", ""})
+  EXPECT_EQ(test::text_of(*gltf::decode_data_uri("data:;base64,aGVsbG8%3D")), "hello");
+  EXPECT_EQ(*gltf::decode_data_uri("data:;base64,%2b%2F%2B%2f"), *gltf::decode_data_uri("data:;base64,+/+/"));
+  for (const char* uri :
+       {"data:,hello", "data:;base64,a*b", "data:;base64,aGVs%", "data:;base64,aGVs%2", "base64,aGVs", ""})
     EXPECT_FALSE(gltf::decode_data_uri(uri)) << uri;
 }
 

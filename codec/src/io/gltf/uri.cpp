@@ -45,6 +45,8 @@ std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
   const std::size_t marker = uri.substr(0, 256).find(kMarker);
   if (!uri.starts_with("data:") || marker == uri.npos) return std::nullopt;
   std::string_view text = uri.substr(marker + kMarker.size());
+  std::string decoded;  // RFC 2397: the data may have escapes, such as %3D
+  if (text.find('%') != text.npos) text = decoded = percent_decoded(text);
   while (text.ends_with('=')) text.remove_suffix(1);
   std::vector<std::byte> bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);

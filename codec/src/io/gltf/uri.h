@@ -15,7 +15,8 @@
 
 namespace deltamesh::gltf {
 
-/// The bytes of "data:...;base64,...". Nothing where `uri` is no such thing or its base64 is malformed.
+/// The bytes of "data:...;base64,...", percent-decoded before. Nothing where `uri` is no such thing or its
+/// base64 is malformed.
 std::optional<std::vector<std::byte>> decode_data_uri(std::string_view uri);
 
 /// The relative path that `uri` stands for, percent-decoded. Nothing where it might lead out of the folder:
