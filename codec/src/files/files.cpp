@@ -17,10 +17,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <new>
 #include <string_view>
 #include <system_error>
 #include <vector>
+
+#include "base/guard.h"
 
 namespace deltamesh {
 namespace {
@@ -164,9 +165,7 @@ Result<void> for_each_file(std::span<const NewFile> files, Step&& step) {
   return {};
 }
 
-}  // namespace
-
-Result<std::vector<std::byte>> read_file(const std::string& path) noexcept try {
+Result<std::vector<std::byte>> read_whole(const std::string& path) {
   const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
   if (!file) return kCannotOpen;
   std::vector<std::byte> bytes;
@@ -181,18 +180,9 @@ Result<std::vector<std::byte>> read_file(const std::string& path) noexcept try {
     bytes.insert(bytes.end(), block, block + got);
   if (std::ferror(file.get())) return kCannotRead;
   return bytes;
-} catch (const std::bad_alloc&) {
-  return Error{.code = ErrorCode::kOutOfMemory, .message = "the file does not fit into memory"};
 }
 
-Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept try {
-  const NewFile file{path, bytes};
-  return write_files({&file, 1});
-} catch (const std::bad_alloc&) {
-  return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
-}
-
-Result<void> write_files(std::span<const NewFile> files) noexcept try {
+Result<void> write_all_or_none(std::span<const NewFile> files) {
   // In place first: while a reader of a pipe keeps us waiting, signals must stop the program.
   const Result<void> in_place = for_each_file(files, [](const NewFile& file, std::size_t) {
     return is_replaceable(file.path) ? Result<void>() : write_in_place(file.path, file.bytes);
@@ -205,8 +195,23 @@ Result<void> write_files(std::span<const NewFile> files) noexcept try {
   });
   if (!written) return written.error();
   return for_each_file(files, [&](const NewFile&, std::size_t i) { return temporaries[i].take_place(); });
-} catch (const std::bad_alloc&) {
-  return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory"};
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_file(const std::string& path) noexcept {
+  return guarded([&] { return read_whole(path); }, "the file does not fit into memory");
+}
+
+Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) noexcept {
+  return guarded([&] {
+    const NewFile file{path, bytes};
+    return write_all_or_none({&file, 1});
+  });
+}
+
+Result<void> write_files(std::span<const NewFile> files) noexcept {
+  return guarded([&] { return write_all_or_none(files); });
 }
 
 }  // namespace deltamesh

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numeric>
 #include <vector>
 
+#include "base/guard.h"
 #include "base/numbers/vec3.h"
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
@@ -190,10 +190,8 @@ Result<void> check_roundings(std::span<const float> roundings, const MeshView& m
   return Error{.code = ErrorCode::kInvalidArgument, .message = "roundings must be three for each vertex"};
 }
 
-}  // namespace
-
-Result<Comparison> compare(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
-                           const Roundings& roundings) noexcept try {
+Result<Comparison> compare_meshes(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
+                                  const Roundings& roundings) {
   DELTAMESH_CHECK(check_mesh(a));
   DELTAMESH_CHECK(check_mesh(b));
   if (!order.empty()) DELTAMESH_CHECK(check_order(order, a.vertex_count(), b.vertex_count()));
@@ -215,8 +213,13 @@ Result<Comparison> compare(const MeshView& a, const MeshView& b, std::span<const
   else
     DELTAMESH_CHECK(compare_surfaces(a, b, roundings, result));
   return result;
-} catch (const std::bad_alloc&) {
-  return Error{.code = ErrorCode::kOutOfMemory, .message = "out of memory while comparing"};
+}
+
+}  // namespace
+
+Result<Comparison> compare(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order,
+                           const Roundings& roundings) noexcept {
+  return guarded([&] { return compare_meshes(a, b, order, roundings); }, "out of memory while comparing");
 }
 
 }  // namespace deltamesh
