@@ -105,7 +105,7 @@ void add_attribute_quality(CLI::App& command, AttributeQuality& quality) {
                                        [&](double x) { quality.color_rms = 255 * std::pow(10, -x / 20); });
   for (CLI::Option* option : {rms, psnr}) option->excludes("--color-error")->group(kAttributes);
   psnr->excludes(rms);
-  add("--weight-error", "of a skinning weight; their sum stays 1", "1/1024",
+  add("--weight-error", "of a skinning weight; sums of 1 stay 1, weights with other sums are exact", "1/1024",
       [&](double x) { quality.weight_error = x; });
   add_named_bounds(command, "--attribute-error",
                    "of a component of the attribute NAME, such as intensity; otherwise exact; once for each "

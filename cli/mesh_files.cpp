@@ -117,8 +117,12 @@ std::optional<Imported> load_faces(const std::string& path, int& status, const F
   std::optional<Imported> imported = load_mesh(path, status, options);
   if (!imported || !imported->mesh.triangles.empty()) return imported;
   const std::uint64_t points = imported->mesh.vertex_count();
-  const std::string losses = imported->report.left_out.empty() ? "" : left_out_text(imported->report);
-  if (points > 0 ? takes_points : losses.empty()) return imported;
+  const auto& left_out = imported->report.left_out;
+  const bool had_some = std::ranges::any_of(left_out, [](const LeftOut& left) {
+    return left.kind == LeftOutKind::kPrimitives || left.kind == LeftOutKind::kFaces;
+  });
+  if (points > 0 ? takes_points : !had_some) return imported;
+  const std::string losses = left_out.empty() ? "" : left_out_text(imported->report);
   print_error(path, (points > 0 ? counted(points, "point", "points") + " and " : "") +
                         "no faces: nothing to code" + (losses.empty() ? "" : "; left out: " + losses));
   status = kBadInput;

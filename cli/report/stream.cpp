@@ -39,8 +39,9 @@ void add_stream(nlohmann::ordered_json& object, const StreamInfo& info) {
   object["vde_rms"] = info.quality.vde_rms;
   object["lfe_rms"] = info.quality.lfe_rms;
   object["max_error"] = info.quality.max_error;
-  const auto or_null = [](double figure, double of) {
-    return of > 0 ? nlohmann::ordered_json(figure) : nullptr;
+  // Of a stream in a grid the mesh's own box may not be known.
+  const auto or_null = [&](double figure, double of) {
+    return of > 0 || info.geometry != "grid" ? nlohmann::ordered_json(figure) : nullptr;
   };
   const PaperQuality paper = paper_form(info.quality, info.geometric_vertices, info.diagonal);
   object["vde_paper"] = or_null(paper.vde, info.diagonal);

@@ -12,6 +12,8 @@
 
 namespace deltamesh::web {
 
+static_assert(static_cast<int>(WhereKind::kPrimitive) == 8, "outcome.js has a word for each kind");
+
 /// At the begin of every outcome.
 struct ErrorOutcome {
   std::uint32_t code = 0;  ///< an ErrorCode; 0: no error

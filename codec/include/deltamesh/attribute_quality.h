@@ -39,7 +39,9 @@ struct AttributeQuality {
   /// dB), or better where that takes fewer bytes. Of 3 or 4 components of u8, u16 or f32 in the compact form;
   /// other colours keep it as a largest error.
   std::optional<double> color_rms = std::nullopt;
-  double weight_error = 1.0 / 1024;    ///< largest difference of a skinning weight; sums of 1 stay 1
+  /// Largest difference of a skinning weight. Sums of 1 stay 1; weights that do not add up to 1, as those of
+  /// each of two sets, are exact, which takes several times the bytes.
+  double weight_error = 1.0 / 1024;
   std::vector<NamedBound> named = {};  ///< of generic attributes; the first that fits holds
   /// Whether they hold within `target_bytes`, too: else all are scaled there together with the errors of
   /// positions.

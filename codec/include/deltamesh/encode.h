@@ -89,7 +89,7 @@ struct EncodeReport {
   std::uint64_t dropped_lengths = 0;        ///< normals and tangents that were not of length 1, but decode so
   /// Different colours that were taken for labels and so kept exactly, as nothing was said of them; else 0.
   std::uint64_t labels = 0;
-  StreamInfo stream;  ///< counts, sizes, achieved errors: as inspect() reads them back
+  StreamInfo stream;  ///< as inspect() reads it back, but for the box, which is the source's
 };
 
 struct Encoded {

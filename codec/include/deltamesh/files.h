@@ -26,8 +26,9 @@ struct NewFile {
 };
 
 /// Files that belong together, all or none: each as by write_file(), none renamed before the temporaries of
-/// all are written. Devices and pipes, which cannot be undone, come first. Errors: the same; `where`: number
-/// of the file at fault, which describe() does not show.
+/// all are written, so that only a rename that fails after another can part them. Devices and pipes, which
+/// cannot be undone, come first. Errors: the same, also for two files with one target; `where`: number of the
+/// file at fault, which describe() does not show.
 Result<void> write_files(std::span<const NewFile> files) noexcept;
 
 }  // namespace deltamesh

@@ -28,7 +28,7 @@ enum class LeftOutKind : std::uint8_t {
   kVertexValues,  ///< an attribute or property of vertices; `count` vertices
   kFaceValues,    ///< of faces or their corners; `count` faces
   kFaces,         ///< `name` tells why
-  kPrimitives,    ///< points, lines, curves and the like
+  kPrimitives,    ///< points, lines, curves and the like, meshes that are not shown
   kElements,      ///< PLY: elements that are neither vertices nor faces; OBJ: statements; glTF: parts of the
                   ///< asset
   kNames,      ///< of groups, objects or materials; what had them is kept as far as face groups can tell it

@@ -61,8 +61,8 @@ struct StreamInfo {
   /// lattice, where there is one.
   std::array<float, 3> box_min{};
   std::array<float, 3> box_max{};
-  double diagonal =
-      0;  ///< of that box; 0 where it is that of whole cubes of a grid, which may be much larger
+  /// Of that box; 0 where it is that of whole cubes of a grid, which may be much larger.
+  double diagonal = 0;
   /// Vertices far from all others, as of a sensor's failed reading, and the diagonal of the rest, which
   /// percents were of; the same as `diagonal` without strays.
   std::uint64_t stray_vertices = 0;

@@ -11,8 +11,8 @@ namespace deltamesh {
 namespace {
 
 /// By WhereKind.
-constexpr std::array<const char*, 8> kUnits{"",          "byte ",      "line ",    "vertex ",
-                                            "triangle ", "attribute ", "element ", "accessor "};
+constexpr std::array<const char*, 9> kUnits{"",           "byte ",    "line ",     "vertex ", "triangle ",
+                                            "attribute ", "element ", "accessor ", ""};
 
 bool is_continuation(char c) noexcept { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; }
 
@@ -54,7 +54,7 @@ std::string short_number(double number) {
 std::string describe(const Error& error) {
   std::string text = error.message;
   if (error.found[0] != '\0') text += ": " + quoted(error.found.data());
-  if (error.where_kind != WhereKind::kNone)
+  if (error.where_kind != WhereKind::kNone && error.where_kind != WhereKind::kPrimitive)
     text +=
         std::string(", ") + kUnits[static_cast<std::size_t>(error.where_kind)] + std::to_string(error.where);
   if (error.chunk_tag != 0) {

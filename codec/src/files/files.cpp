@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -31,6 +32,7 @@ constexpr Error kCannotRead{.code = ErrorCode::kFileRead, .message = "reading th
 constexpr Error kCannotCreate{
     .code = ErrorCode::kFileWrite,
     .message = "cannot create the file; does its folder exist, may you write there?"};
+constexpr Error kSameTarget{.code = ErrorCode::kFileWrite, .message = "two of the files to write are one"};
 constexpr Error kCannotWrite{.code = ErrorCode::kFileWrite,
                              .message = "writing the file failed; is the disk full?"};
 
@@ -116,11 +118,10 @@ class Temporary {
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
-  /// The new file has the mode of the one that it replaces, or that of a newly created one.
-  Result<void> write(const std::string& path, std::span<const std::byte> bytes) {
-    const Result<std::string> target = behind_links(path);
-    if (!target) return target.error();
-    target_ = *target;
+  /// The new file has the mode of the one that it replaces, or that of a newly created one. `target`: no
+  /// link.
+  Result<void> write(const std::string& target, std::span<const std::byte> bytes) {
+    target_ = target;
     struct stat before {};
     const bool replaces = stat(target_.c_str(), &before) == 0;
     std::string name;
@@ -183,15 +184,25 @@ Result<std::vector<std::byte>> read_whole(const std::string& path) {
 }
 
 Result<void> write_all_or_none(std::span<const NewFile> files) {
+  std::vector<std::string> targets(files.size());  // of what is replaced; empty: written in place
+  const Result<void> found = for_each_file(files, [&](const NewFile& file, std::size_t i) -> Result<void> {
+    if (!is_replaceable(file.path)) return {};
+    auto target = behind_links(file.path);
+    if (!target) return target.error();
+    if (std::ranges::find(targets, *target) != targets.end()) return kSameTarget;
+    targets[i] = *std::move(target);
+    return {};
+  });
+  if (!found) return found.error();
   // In place first: while a reader of a pipe keeps us waiting, signals must stop the program.
-  const Result<void> in_place = for_each_file(files, [](const NewFile& file, std::size_t) {
-    return is_replaceable(file.path) ? Result<void>() : write_in_place(file.path, file.bytes);
+  const Result<void> in_place = for_each_file(files, [&](const NewFile& file, std::size_t i) {
+    return targets[i].empty() ? write_in_place(file.path, file.bytes) : Result<void>();
   });
   if (!in_place) return in_place.error();
   const StopsHeldBack guard;
   std::vector<Temporary> temporaries(files.size());
   const Result<void> written = for_each_file(files, [&](const NewFile& file, std::size_t i) {
-    return is_replaceable(file.path) ? temporaries[i].write(file.path, file.bytes) : Result<void>();
+    return targets[i].empty() ? Result<void>() : temporaries[i].write(targets[i], file.bytes);
   });
   if (!written) return written.error();
   return for_each_file(files, [&](const NewFile&, std::size_t i) { return temporaries[i].take_place(); });

@@ -17,6 +17,7 @@
 #include "entropy/coder/held_coder.h"
 #include "entropy/coder/symbol_models.h"
 #include "grid/known/places.h"
+#include "grid/models.h"
 #include "grid/place_context.h"
 #include "grid/surface.h"
 #include "positions/blend/blend.h"

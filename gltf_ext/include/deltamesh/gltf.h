@@ -114,8 +114,8 @@ struct GltfOutput {
 /// in all attributes become one unless order or unreferenced vertices are kept, and without `fallback` only a
 /// reader that knows the extension can read the result. Errors: kInvalidFile (the element is named where
 /// there is one), kInvalidArgument (options, or all meshes are compressed by another extension), kInvalidMesh
-/// and kNotFinite (`where`: the primitive, counted over all meshes), kLimitExceeded, kUnmetRequest,
-/// kFileOpen, kOutOfMemory, and what `io.resolve` returns.
+/// and kNotFinite (`where`: the vertex or primitive; `found` names the primitive), kLimitExceeded,
+/// kUnmetRequest, kFileOpen, kOutOfMemory, and what `io.resolve` returns.
 Result<GltfOutput> pack_gltf(std::span<const std::byte> asset, const GltfPackOptions& options,
                              const GltfIo& io = {}) noexcept;
 

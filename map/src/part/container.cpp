@@ -28,7 +28,8 @@ Error broken_part(const ByteReader& in, const char* message) noexcept {
 /// That the part takes at least, without its checksum; what the base has as well needs none.
 std::uint64_t bytes_needed(const PartPlace& place, const FileHeader& header) noexcept {
   const std::uint64_t elements = std::uint64_t{header.vertices} + header.triangles;
-  return (elements - std::min(elements, place.known_elements)) / kPartElementsPerByte;
+  const std::uint64_t own = elements - std::min(elements, place.known_elements);
+  return (own + kPartElementsPerByte - 1) / kPartElementsPerByte;
 }
 
 /// The part's bytes before its checksum, which is checked.

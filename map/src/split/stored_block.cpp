@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/try.h"
+#include "base/with_found.h"
 #include "connectivity/check_mesh.h"
 #include "support/content_hash.h"
 #include "support/errors.h"
@@ -19,13 +20,10 @@ namespace deltamesh {
 namespace {
 
 /// What it is for people: its name only where the kind says nothing.
-std::array<char, 24> text_of(AttributeKind kind, std::string_view name) noexcept {
+std::string_view text_of(AttributeKind kind, std::string_view name) noexcept {
   constexpr std::array<const char*, 7> kNames{
       "normals", "colours", "texture coordinates", "generic", "tangents", "joints", "weights"};
-  std::array<char, 24> text{};
-  if (kind != AttributeKind::kGeneric || name.empty()) name = kNames.at(static_cast<std::size_t>(kind));
-  std::copy_n(name.begin(), std::min(name.size(), text.size() - 1), text.begin());
-  return text;
+  return kind != AttributeKind::kGeneric || name.empty() ? kNames.at(static_cast<std::size_t>(kind)) : name;
 }
 
 /// The first of the one that the other has less often; both by kind and name.
@@ -34,9 +32,7 @@ Result<void> check_all_in(const Ones& ones, const Others& others, const char* me
   for (const auto& one : ones) {
     const auto is_same = [&](const auto& a) { return a.kind == one.kind && a.name == one.name; };
     if (std::ranges::count_if(ones, is_same) <= std::ranges::count_if(others, is_same)) continue;
-    Error error = invalid_mesh(message);
-    error.found = text_of(one.kind, one.name);
-    return error;
+    return with_found(invalid_mesh(message), text_of(one.kind, one.name));
   }
   return {};
 }

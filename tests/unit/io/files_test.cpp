@@ -109,18 +109,19 @@ TEST_F(Files, SeveralAreWrittenAllOrNone) {
     return write_files(std::array{NewFile{in_folder("a"), bytes_of("new")}, NewFile{other, bytes_of("other")},
                                   NewFile{in_folder("b"), bytes_of("newest")}});
   };
-  for (const std::string& path : {in_folder("none/c"), std::string("/dev/full")}) {
+  fs::create_symlink("a", in_folder("link"));
+  for (const std::string& path : {in_folder("none/c"), std::string("/dev/full"), in_folder("link")}) {
     const auto written = write_with(path);
     ASSERT_FALSE(written) << path;
     EXPECT_EQ(written.error().code, ErrorCode::kFileWrite);
     EXPECT_EQ(written.error().where, 1U);
     EXPECT_EQ(text_of(in_folder("a")), "old");
-    EXPECT_EQ(count(), 1U);
+    EXPECT_EQ(count(), 2U);
   }
   ASSERT_TRUE(write_with("/dev/null"));
   ASSERT_TRUE(write_with(in_folder("c")));
   EXPECT_EQ(text_of(in_folder("a")) + text_of(in_folder("b")) + text_of(in_folder("c")), "newnewestother");
-  EXPECT_EQ(count(), 3U);
+  EXPECT_EQ(count(), 4U);
 }
 
 TEST_F(Files, ReadsOnlyFiles) {

@@ -48,16 +48,16 @@ TEST(GltfLeftOut, MeshesThatTheSceneDoesNotShow) {
   GltfBuilder builder;
   const test::Sheet sheet = make_sheet(3);
   for (int i = 0; i < 3; ++i) builder.sheet_mesh(sheet);
-  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 0U);
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kPrimitives, kHidden), 0U);
   builder.json["scenes"] = Json::array({Json{{"nodes", {1}}}, Json{{"nodes", {1, 2}}}});
-  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 1U);
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kPrimitives, kHidden), 1U);
   builder.json["scene"] = 0;
-  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 2U);
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kPrimitives, kHidden), 2U);
   builder.json["scenes"][0].erase("nodes");
-  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 3U);
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kPrimitives, kHidden), 3U);
   builder.json["meshes"].push_back(builder.json["meshes"][0]);  // which no node names
   builder.push("nodes", {{"mesh", 0}});                         // another place of one
-  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kElements, kHidden), 5U);
+  EXPECT_EQ(left_out(read(builder).report, LeftOutKind::kPrimitives, kHidden), 5U);
 }
 
 TEST(GltfLeftOut, ExtensionsThatMaySaySomethingAboutMeshes) {

@@ -177,8 +177,7 @@ TEST(LeftOut, StlSolidsBecomeFaceGroups) {
   EXPECT_TRUE(three.report.left_out.empty());
   const Imported one = read("solid a\n" + facet + "endsolid a\n", FileFormat::kStl);
   EXPECT_TRUE(one.mesh.face_groups.empty());
-  EXPECT_EQ(one.mesh.group_names, (std::vector<GroupName>{{.object = "a"}}));
-  EXPECT_TRUE(read("solid\n" + facet + "endsolid\n", FileFormat::kStl).mesh.group_names.empty());
+  EXPECT_TRUE(one.mesh.group_names.empty()) << "a title of the file";
   const Imported wrong = read("solid \xff\n" + facet + "endsolid\n", FileFormat::kStl);
   EXPECT_EQ(left_out(wrong.report, LeftOutKind::kNames), 1U);
 }

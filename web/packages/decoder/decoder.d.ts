@@ -142,7 +142,7 @@ export class DeltameshError extends Error {
   what: string;
   /** Such as "DIR-4"; or empty. */
   rule: string;
-  where: { unit: 'byte' | 'line' | 'vertex' | 'triangle' | 'attribute' | 'element'; position: number } | null;
+  where: { unit: 'byte' | 'line' | 'vertex' | 'triangle' | 'attribute' | 'element' | 'accessor' | 'primitive'; position: number } | null;
   /** Tag of the chunk concerned, or empty. */
   chunk: string;
   /** The file, and in assets the mesh and primitive, where a loader knows them; or empty. */

@@ -7,7 +7,7 @@ import { DeltameshError } from './errors.js';
 /** As outcome.h numbers them. */
 export const PARTS = ['highpass', 'zstd', 'rare', 'grid'];
 
-const WHERE = ['', 'byte', 'line', 'vertex', 'triangle', 'attribute', 'element'];
+const WHERE = ['', 'byte', 'line', 'vertex', 'triangle', 'attribute', 'element', 'accessor', 'primitive'];
 export const KINDS = ['normal', 'color', 'uv', 'generic', 'tangent', 'joints', 'weights'];
 const CODECS = ['raw', 'zstd', 'compact'];
 const GEOMETRIES = ['', 'highpass', 'predictive', 'grid'];

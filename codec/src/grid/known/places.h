@@ -21,9 +21,9 @@ struct Motion {
   unsigned still;  ///< how many are where they were, 2 at most
   unsigned moved;  ///< 0: none has; else 1, and 1 more if they went far, 2 more if they are several
   unsigned way;    ///< those of the edges beside, along the axis: 0 down, 1 nowhere, 2 up
-  unsigned far() const noexcept {
-    return moved == 0 ? 0 : 2 - moved % 2;
-  }  ///< 0: none has moved; else 1, or 2
+
+  /// 0: none has moved; 1: not far; 2: far.
+  unsigned far() const noexcept { return moved == 0 ? 0 : 2 - moved % 2; }
 };
 
 class KnownPlaces {

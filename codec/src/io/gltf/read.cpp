@@ -61,8 +61,9 @@ void leave_out_parts(const Json& json, ReadReport& report) {
   report.leave_out(LeftOutKind::kVertexValues, "morph targets", targets);
 }
 
-/// Tells `report` of extensions that may say something about meshes and are not understood. Of the harmless
-/// ones two do; what the others belong to is told as left out itself.
+/// Tells `report` of extensions that may say something about meshes and are not understood. Two of those that
+/// packing may pass over are among them; the others are about materials, textures and lights, which are left
+/// out as a whole.
 void leave_out_extensions(const Json& json, ReadReport& report) {
   const Json* const used = find(json, "extensionsUsed");
   for (const Json& entry : used ? *used : Json::array()) {
@@ -95,7 +96,7 @@ class Assembly {
     place_origin(coordinates_, imported_.mesh.triangles, imported_);
     fill_normals();
     groups_.move_into(imported_);
-    imported_.report.leave_out(LeftOutKind::kElements, "meshes that the scene does not show",
+    imported_.report.leave_out(LeftOutKind::kPrimitives, "meshes that the scene does not show",
                                hidden_meshes(document_.json, placements));
     leave_out_parts(document_.json, imported_.report);
     leave_out_extensions(document_.json, imported_.report);

@@ -99,7 +99,8 @@ Result<void> check_extension_lists(const Json& json) {
 }  // namespace
 
 Error at_primitive(Error error, const PrimitiveNumber& primitive) noexcept {
-  error.where_kind = WhereKind::kNone;
+  error.where_kind = WhereKind::kPrimitive;
+  error.where = primitive.number;
   std::snprintf(error.found.data(), error.found.size(), "mesh %zu, primitive %zu", primitive.mesh,
                 primitive.in_mesh);
   return error;

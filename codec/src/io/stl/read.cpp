@@ -241,6 +241,8 @@ Result<Imported> read_stl(std::span<const std::byte> bytes) {
   report.welded_corners = mesh.faces.corners().size() - mesh.coordinates.size() / 3;
   add_colors(facets, mesh, report);
   facets.groups.move_into(mesh, report);
+  // The name of the only solid is a title of the file, often the exporter's.
+  if (mesh.face_groups.empty()) mesh.group_names.clear();
   return to_triangles(std::move(mesh), std::move(report));
 }
 
