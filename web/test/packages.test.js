@@ -10,7 +10,7 @@ const packages = new URL('../packages/', import.meta.url);
 const sizeOf = (path) => brotliCompressSync(readFileSync(new URL(path, packages))).length;
 
 /** Largest sizes after brotli, bytes. */
-const SIZES = { 'decoder/worker-text.js': 3500, 'decoder/core.wasm': 60000, 'decoder/highpass.wasm': 35500, 'decoder/zstd.wasm': 18500, 'decoder/rare.wasm': 34500, 'decoder/grid.wasm': 41000 };
+const SIZES = { 'decoder/worker-text.js': 3500, 'decoder/core.wasm': 60000, 'decoder/highpass.wasm': 35500, 'decoder/zstd.wasm': 18500, 'decoder/rare.wasm': 34500, 'decoder/grid.wasm': 41500 };
 
 for (const [path, most] of Object.entries(SIZES)) {
   test(`${path} is not larger than its bound`, (t) => {
