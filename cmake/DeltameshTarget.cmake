@@ -8,8 +8,6 @@ function(deltamesh_configure target)
   endif()
   # The same floats from every compiler: no fused multiply-add that the source does not ask for.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
-  # Sanitizers' builds inline what the compiler chooses: inlining all that the code asks for takes half as long again.
-  target_compile_definitions(${target} PRIVATE $<$<CONFIG:Sanitizers>:always_inline=unused>)
   if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "86" AND NOT EMSCRIPTEN)
     target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
   endif()
