@@ -50,7 +50,7 @@ enum class WhereKind : std::uint8_t {
   kAttribute,
   kElement,
   kAccessor,
-  kPrimitive  ///< of a glTF asset, counted over all meshes; `found` has its mesh and its place there
+  kPrimitive  ///< of glTF, counted over all meshes; `found` has its mesh and its place there
 };
 
 /// An error value. No allocation: `message` and `rule` point to static strings.
@@ -63,8 +63,8 @@ struct Error {
   std::uint32_t chunk_tag = 0;  ///< four-character tag of the chunk concerned, first letter lowest; 0 if none
   double best_value = 0;        ///< kUnmetRequest: the best figure that can be had, model units; 0 if none
   std::uint64_t best_bytes = 0;  ///< kUnmetRequest: the size of the stream that has it; 0 if none
-  std::array<char, 48>
-      found{};  ///< text, or name of a place, at fault, cut to 47 bytes and a 0; may be empty
+  /// Text, or the name of a place, at fault, cut to 47 bytes and a 0; may be empty.
+  std::array<char, 48> found{};
 };
 
 /// One line for people: "what, where, chunk [rule]".

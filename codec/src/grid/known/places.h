@@ -28,14 +28,12 @@ struct Motion {
 
 class KnownPlaces {
  public:
-  /// `surface`: null where nothing is known; `symbols`: of levels, 2 at least.
+  /// `surface`: null where nothing is known; `symbols`: how many levels have [GRD-10].
   KnownPlaces(const KnownSurface* surface, unsigned symbols) noexcept
       : surface_(surface), symbols_(static_cast<int>(symbols)) {
-    for (int i = 0; i < 15; ++i) {
-      is_same_[static_cast<std::size_t>(i)] =
-          CountedBit(static_cast<std::uint16_t>((5 + i % 3 - i / 3) << 13));
-      is_above_[static_cast<std::size_t>(i)] =
-          CountedBit(static_cast<std::uint16_t>((1 + i % 3 + i / 3) << 13));
+    for (std::size_t i = 0; i < is_same_.size(); ++i) {
+      is_same_[i] = CountedBit(static_cast<std::uint16_t>((5 + i % 3 - i / 3) << 13));
+      is_above_[i] = CountedBit(static_cast<std::uint16_t>((1 + i % 3 + i / 3) << 13));
     }
   }
 
@@ -90,9 +88,7 @@ class KnownPlaces {
     const bool is_far = 2 * symbols_ * size >= 192 * moved;
     return {.still = static_cast<unsigned>(std::min(still, 2)),
             .moved = moved == 0 ? 0U : 1U + (is_far ? 1U : 0U) + (moved > 1 ? 2U : 0U),
-            .way = way < 0   ? 0U
-                   : way > 0 ? 2U
-                             : 1U};
+            .way = 1U + (way > 0 ? 1U : 0U) - (way < 0 ? 1U : 0U)};
   }
 
   /// The symbol of a level beside that of the former one: whether it is the same, else on which side it is,
