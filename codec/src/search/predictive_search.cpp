@@ -49,6 +49,9 @@ bool is_of_cubes(const VoxelFit& fit) noexcept {
   return !may_be_heights(fit) && std::min(fit.share, fit.in_cubes) > kMost;
 }
 
+/// A side of 10.00001 steps is tried with 10 levels first: neither the side nor the bound is known better.
+constexpr double kNearlyOne = 1 - 1e-4;
+
 /// The coarsest lattice or the fewest levels that keep the bounds; see search_predictive().
 class BoundSearch {
  public:
@@ -106,7 +109,7 @@ class BoundSearch {
   std::optional<Candidate> on_voxels(const VoxelFit& fit) const {
     // A vertex is off along its edge only, by half a level at most, which is a step; see lattice_step_for().
     const double step = lattice_step_for(bounds_, box_) * std::sqrt(3.0);
-    Bracket bracket({.first = std::max(std::ceil(largest_side(fit) / step), 1.0),
+    Bracket bracket({.first = std::max(std::ceil(kNearlyOne * largest_side(fit) / step), 1.0),
                      .least = 1,
                      .most = kMostLevels,
                      .whole = true,

@@ -199,6 +199,25 @@ TEST(GridStream, GRD12MeshesComeBack) {
   }
 }
 
+/// A grid of 0.04 m has 10 levels of 0.004 m, however the quotient is rounded.
+TEST(GridStream, ARoundBoundTakesNoLevelMore) {
+  const Mesh mesh = rooms(3000);
+  for (const int effort : {0, 1}) {
+    const auto at = [&](double bound) {
+      const auto encoded = encode(mesh, {.quality = {.max_error = QualityBound{bound}}, .effort = effort});
+      EXPECT_EQ(encoded->report.stream.geometry, "grid");
+      EXPECT_LE(encoded->report.stream.quality.max_error, bound);
+      return encoded->report.stream;
+    };
+    for (const double bound : {0.003, 0.005, 0.01, 0.02, 0.04}) {
+      const StreamInfo first = at(bound);
+      // Half a level, or what is a little more as some vertex is just between two.
+      const double half = std::max(first.step / 2 * (1 - 1e-6), first.quality.max_error);
+      EXPECT_EQ(at(half).step, first.step) << bound;
+    }
+  }
+}
+
 TEST(GridStream, TheOrderIsKeptWhereItIsAskedFor) {
   Mesh mesh = rooms(3000);
   split_vertices(mesh, 9);
