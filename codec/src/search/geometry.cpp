@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/try.h"
-#include "search/coder_forecast.h"
 #include "search/highpass_search.h"
 #include "search/predictive_search.h"
 
@@ -35,13 +34,6 @@ bool suits_predictive(const PredictiveTrials& trials) {
   return are_voxels_enough(trials);
 }
 
-bool forecast_says_predictive(const PredictiveTrials& trials) {
-  const SourceGeometry& source = trials.source();
-  const FaceList faces{source.triangles, static_cast<std::uint32_t>(source.positions.size())};
-  return forecast_coders(source.graph.graph(), faces, source.positions, *trials.request().bounds.vde)
-      .predictive_wins();
-}
-
 Result<Candidate> code_highpass(const Request& request, const SourceGeometry& source,
                                 const StreamRest& rest) {
   MeshHighpassTrials trials(request, source, rest);
@@ -56,19 +48,13 @@ const Error& nearer(const Error& a, const Error& b) noexcept {
   return a.best_bytes <= b.best_bytes ? a : b;
 }
 
-/// Predictive coding is quick; so it comes first, but at effort 0 where a sample of the mesh speaks against
-/// it. Highpass coding at the same VDE is forecast without a solve.
+/// Predictive coding is quick; so it comes first. Highpass coding at the same VDE is forecast without a
+/// solve.
 Result<Candidate> code_smaller(const Request& request, const SourceGeometry& source, const StreamRest& rest) {
   const PredictiveTrials trials(request, source, rest);
-  const bool suits = suits_predictive(trials);
-  const bool is_quick = request.effort < kSearchEffort && request.bounds.vde;
-  if (!suits && is_quick && !forecast_says_predictive(trials)) {
-    auto highpass = code_highpass(request, source, rest);
-    if (highpass) return highpass;
-  }
   auto predictive = search_predictive(trials);
   const bool is_grid = predictive && predictive->grid && !request.has_bounds();
-  if (predictive && (suits || is_quick || is_grid)) return predictive;
+  if (predictive && (is_grid || suits_predictive(trials))) return predictive;
   MeshHighpassTrials highpass_trials(request, source, rest);
   if (predictive) {
     const double vde = request.bounds.vde.value_or(predictive->quality.vde_rms);
