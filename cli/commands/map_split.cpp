@@ -107,8 +107,7 @@ int run_split(const Splitting& splitting) {
     parts.push_back({entry.key, entry.revision, state->octets[i]});
     ++(is_new ? update.new_parts : update.mended_parts);
   }
-  auto saved = save_map(splitting.folder, state->manifest, parts);
-  if (saved) saved = save_bounds(splitting.folder, bounds);
+  const auto saved = save_map_with_bounds(splitting.folder, state->manifest, parts, bounds);
   if (!saved) return fail(splitting.folder, saved.error());
   const double rounding =
       imported->report.position_error + rounding_in_map(imported->mesh, state->manifest.description);

@@ -157,10 +157,9 @@ int run_finish(const std::string& folder) {
   MapBounds before;
   if (!load_bounds(folder, *manifest, {.of_positions = true, .of_attributes = true}, before, status))
     return status;
-  auto saved = save_map(folder, *manifest, {});
-  if (saved)
-    saved = save_bounds(
-        folder, {.asked = bounds, .bounds = bounds, .attributes = plan->asked, .parts = before.parts});
+  const auto saved = save_map_with_bounds(
+      folder, *manifest, {},
+      {.asked = bounds, .bounds = bounds, .attributes = plan->asked, .parts = before.parts});
   if (!saved) return fail(folder, saved.error());
   delete_unfinished(folder);
   print_map(folder, *manifest);

@@ -2,6 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "stored/map_bounds.h"
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <system_error>
@@ -54,18 +55,15 @@ bool load_bounds(const std::string& folder, const MapManifest& manifest, const A
   return false;
 }
 
-Result<void> save_bounds(const std::string& folder, const MapBounds& bounds) {
-  if (bounds.asked.empty() && bounds.bounds.empty() && !bounds.attributes && !bounds.parts) {
-    std::error_code ignored;
-    std::filesystem::remove(path_in(folder), ignored);  // of a map that was deleted
-    return {};
-  }
+Result<void> save_map_with_bounds(const std::string& folder, const MapManifest& manifest,
+                                  std::span<const NewPart> parts, const MapBounds& bounds) {
   nlohmann::json json{{"asked", json_of(bounds.asked)}, {"bounds", json_of(bounds.bounds)}};
   if (bounds.parts)
     json["parts"] = {{"most_triangles", bounds.parts->most_triangles}, {"levels", bounds.parts->levels}};
   if (bounds.attributes) json["attributes"] = json_of(*bounds.attributes);
   const std::string text = json.dump() + '\n';
-  return write_file(path_in(folder), std::as_bytes(std::span(text)));
+  return save_map(folder, manifest, parts,
+                  std::array{NewFile{path_in(folder), std::as_bytes(std::span(text))}});
 }
 
 std::string bounds_text(const MapBounds& map) {

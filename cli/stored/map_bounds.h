@@ -5,10 +5,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "deltamesh/attribute_quality.h"
 #include "deltamesh/map/encode_map.h"
+#include "deltamesh/map/folder.h"
+#include "deltamesh/map/part_entry.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh::cli {
@@ -39,8 +42,9 @@ struct AskedBounds {
 bool load_bounds(const std::string& folder, const MapManifest& manifest, const AskedBounds& asked,
                  MapBounds& bounds, int& status);
 
-/// Where nothing is known there is no file. Errors: kFileWrite.
-Result<void> save_bounds(const std::string& folder, const MapBounds& bounds);
+/// save_map() together with the bounds.
+Result<void> save_map_with_bounds(const std::string& folder, const MapManifest& manifest,
+                                  std::span<const NewPart> parts, const MapBounds& bounds);
 
 /// "max error 0.02% = 0.00146, vde 0.01": what was asked of positions, and what it is in model units where
 /// that is in percent.

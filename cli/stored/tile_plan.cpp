@@ -61,6 +61,25 @@ std::vector<std::uint32_t> numbers_of(const JsonValue& json, std::size_t files) 
   return numbers;
 }
 
+/// The old plan and its tiles go when the new one is written.
+Result<void> replace_plan(const fs::path& folder, std::span<const std::byte> map,
+                          std::span<const std::byte> plan) {
+  const fs::path fresh = folder / "tiles.new";
+  const Error no_folder{.code = ErrorCode::kFileWrite, .message = "cannot make the folder of the plan"};
+  std::error_code failed;
+  std::error_code ignored;
+  fs::remove_all(fresh, failed);
+  if (!failed) fs::create_directories(fresh, failed);
+  if (failed) return no_folder;
+  const std::string map_file = (fresh / "map").string();
+  const std::string plan_file = (fresh / "plan.json").string();
+  const auto written = write_files(std::array{NewFile{map_file, map}, NewFile{plan_file, plan}});
+  if (written) fs::remove_all(folder / "tiles", failed);
+  if (written && !failed) fs::rename(fresh, folder / "tiles", failed);
+  if (!written || failed) fs::remove_all(fresh, ignored);
+  return failed ? Result<void>(no_folder) : written;
+}
+
 void read_plan(const JsonValue& json, FiledPlan& filed) {
   TilePlan& plan = filed.plan;
   for (const JsonValue& file : json.member("files").items()) filed.files.push_back(file.text());
@@ -98,14 +117,8 @@ Result<void> save_plan(const std::string& folder, const FiledPlan& plan) {
         {{"cell", json_of_key(tile.cell)}, {"triangles", tile.triangles}, {"files", tile.meshes}});
   auto message = write_description(plan.plan.description);
   if (!message) return message.error();
-  std::error_code failed;
-  const fs::path own = fs::path(folder) / "tiles";
-  fs::remove_all(own, failed);
-  if (!failed) fs::create_directories(own, failed);
-  if (failed) return Error{.code = ErrorCode::kFileWrite, .message = "cannot make the folder of the plan"};
   const auto plan_bytes = bytes_of(json.dump(1) + '\n');
-  return write_files(std::array{NewFile{path_of(folder, "map"), *message},
-                                NewFile{path_of(folder, "plan.json"), plan_bytes}});
+  return replace_plan(folder, *message, plan_bytes);
 }
 
 bool has_plan(const std::string& folder) {

@@ -89,8 +89,8 @@ std::string part_file(const PartKey& key, std::uint64_t revision, std::uint64_t 
          ".part";
 }
 
-Result<void> save_map(const std::string& folder, const MapManifest& manifest,
-                      std::span<const NewPart> parts) noexcept {
+Result<void> save_map(const std::string& folder, const MapManifest& manifest, std::span<const NewPart> parts,
+                      std::span<const NewFile> others) noexcept {
   return guarded([&]() -> Result<void> {
     DELTAMESH_TRY(const auto bytes, write_manifest(manifest));
     std::error_code failed;
@@ -102,7 +102,10 @@ Result<void> save_map(const std::string& folder, const MapManifest& manifest,
       DELTAMESH_CHECK(files.write(path_in(folder, file), part.bytes));
     }
     keep_names(path_in(folder, kPartFolder));
-    DELTAMESH_CHECK(write_file(path_in(folder, kManifestFile), bytes));
+    std::vector<NewFile> together(others.begin(), others.end());
+    const std::string manifest_file = path_in(folder, kManifestFile);
+    together.push_back({manifest_file, bytes});
+    DELTAMESH_CHECK(write_files(together));
     files.keep();
     keep_names(folder);
     delete_others(folder, manifest);

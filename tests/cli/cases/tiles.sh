@@ -2,7 +2,15 @@ quiet generate rooms a.ply --vertices 12000 --seed 1
 quiet generate rooms b.ply --vertices 12000 --seed 2
 ask="--part-edge 2 --max-error 0.004 --color-error 4 --part-triangles 2000 --tile-triangles 8000"
 quiet tiles plan whole.map a.ply b.ply $ask
+say "a plan for which there is no room leaves the one before:"
 cp -r whole.map killed.map
+(
+  trap '' XFSZ
+  ulimit -f 1
+  "$program" tiles plan whole.map a.ply $ask >/dev/null 2>&1
+  say "exit $?"
+)
+diff -r whole.map killed.map && say "unchanged"
 tiles=$(($(grep -c '"triangles"' whole.map/tiles/plan.json) - 1))
 status tiles finish whole.map
 for tile in $(seq 0 "$tiles"); do quiet tiles encode whole.map "$tile"; done
