@@ -61,23 +61,38 @@ std::vector<std::uint32_t> numbers_of(const JsonValue& json, std::size_t files) 
   return numbers;
 }
 
-/// The old plan and its tiles go when the new one is written.
+/// A new folder in `folder`, which is made if need be; empty if that fails.
+fs::path make_new_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  for (int i = 0; !failed && i < 1000; ++i) {
+    const fs::path fresh = folder / ("tiles.new" + std::to_string(i));
+    if (fs::create_directory(fresh, failed)) return fresh;
+  }
+  return {};
+}
+
+/// The old plan and its tiles go when the new one is in their place.
 Result<void> replace_plan(const fs::path& folder, std::span<const std::byte> map,
                           std::span<const std::byte> plan) {
-  const fs::path fresh = folder / "tiles.new";
-  const Error no_folder{.code = ErrorCode::kFileWrite, .message = "cannot make the folder of the plan"};
-  std::error_code failed;
-  std::error_code ignored;
-  fs::remove_all(fresh, failed);
-  if (!failed) fs::create_directories(fresh, failed);
-  if (failed) return no_folder;
+  const fs::path fresh = make_new_folder(folder);
+  if (fresh.empty())
+    return Error{.code = ErrorCode::kFileWrite, .message = "cannot make the folder of the plan"};
   const std::string map_file = (fresh / "map").string();
   const std::string plan_file = (fresh / "plan.json").string();
-  const auto written = write_files(std::array{NewFile{map_file, map}, NewFile{plan_file, plan}});
-  if (written) fs::remove_all(folder / "tiles", failed);
-  if (written && !failed) fs::rename(fresh, folder / "tiles", failed);
-  if (!written || failed) fs::remove_all(fresh, ignored);
-  return failed ? Result<void>(no_folder) : written;
+  auto written = write_files(std::array{NewFile{map_file, map}, NewFile{plan_file, plan}});
+  const fs::path own = folder / "tiles";
+  const fs::path old = fresh.string() + ".old";
+  std::error_code failed;
+  std::error_code ignored;
+  if (written && fs::exists(own, ignored)) fs::rename(own, old, failed);
+  if (written && !failed) fs::rename(fresh, own, failed);
+  if (failed) {
+    fs::rename(old, own, ignored);
+    written = Error{.code = ErrorCode::kFileWrite, .message = "cannot replace the folder of the plan"};
+  }
+  fs::remove_all(written ? old : fresh, ignored);
+  return written;
 }
 
 void read_plan(const JsonValue& json, FiledPlan& filed) {

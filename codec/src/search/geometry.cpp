@@ -2,6 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "search/geometry.h"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include "base/try.h"
@@ -11,10 +13,10 @@
 namespace deltamesh {
 namespace {
 
-/// How far a highpass stream is forecast below a predictive one before it is taken: it decodes more slowly.
-constexpr double kWorthIt = 0.99;
-/// How far above it a forecast may be for the search still to be tried, at kThoroughEffort.
-constexpr double kHopeless = 1.15;
+/// By effort, how much of a predictive stream's bytes a forecast of a highpass one may be for that to be
+/// searched for. It decodes more slowly. At effort 0 predictive streams are not the smallest within their
+/// bounds, so that a forecast little below often ends above.
+constexpr std::array kWorthIt = {0.9, 0.99, 1.15};
 
 /// Whether the request leaves the coder open.
 bool may_choose(const Request& request) noexcept {
@@ -22,8 +24,7 @@ bool may_choose(const Request& request) noexcept {
          !request.anchor_density && !request.lossless;
 }
 
-/// Where the highpass coder's strength is not asked for, or what it would lose elsewhere is more; a sample of
-/// the mesh tells of its shape.
+/// Where the highpass coder's strength is not asked for, or what it would lose elsewhere is more.
 bool suits_predictive(const PredictiveTrials& trials) {
   const Request& request = trials.request();
   const Bounds& bounds = request.bounds;
@@ -59,11 +60,13 @@ Result<Candidate> code_smaller(const Request& request, const SourceGeometry& sou
   if (predictive) {
     const double vde = request.bounds.vde.value_or(predictive->quality.vde_rms);
     const auto forecast = forecast_highpass_bytes(request, vde, highpass_trials);
-    const double share = request.effort < kThoroughEffort ? kWorthIt : kHopeless;
+    const double share = kWorthIt.at(static_cast<std::size_t>(request.effort));
     if (!forecast || static_cast<double>(*forecast) > share * static_cast<double>(predictive->bytes))
       return predictive;
   }
-  auto highpass = search_highpass(request, highpass_trials);
+  auto highpass = predictive && request.has_bounds()
+                      ? search_highpass(request, highpass_trials, predictive->bytes)
+                      : search_highpass(request, highpass_trials);
   if (!highpass) return predictive ? std::move(predictive) : nearer(predictive.error(), highpass.error());
   if (!predictive) return highpass;
   const bool better = request.has_bounds() ? highpass->bytes < predictive->bytes

@@ -28,8 +28,12 @@ constexpr double kDiffusedDeltaError = 1.14;
 
 class HighpassSearch {
  public:
-  HighpassSearch(const Request& request, HighpassTrials& trials)
-      : request_(request), bounds_(request.bounds), trials_(trials), record_(request, trials) {}
+  HighpassSearch(const Request& request, HighpassTrials& trials, std::uint64_t most_bytes)
+      : request_(request),
+        bounds_(request.bounds),
+        trials_(trials),
+        record_(request, trials),
+        most_bytes_(most_bytes) {}
 
   Result<Candidate> run() {
     const HighpassSettings settings = first_settings(request_, trials_);
@@ -53,6 +57,12 @@ class HighpassSearch {
   bool fixed_step() const noexcept { return request_.step || request_.bits; }
   bool fixed_anchors() const noexcept { return request_.anchors || request_.anchor_density; }
   bool is_quick() const noexcept { return request_.effort < kSearchEffort; }
+
+  /// Whether nothing keeps the bounds yet, and what came last has too many bytes already: all that is left to
+  /// do adds to them.
+  bool is_hopeless() const noexcept {
+    return !record_.best() && record_.last() && record_.last()->bytes >= most_bytes_;
+  }
 
   /// Of a search at a step that keeps VDE, or nearly.
   static double positional_excess(const Loads& loads) noexcept {
@@ -82,6 +92,7 @@ class HighpassSearch {
         DELTAMESH_TRY(const Loads loads, record_.make(settings));
         const double load = watch == Watch::kAll ? loads.all() : loads.visual;
         if (bracket.tell(excess_of_load(load))) kept = settings;
+        if (load > 1 && is_hopeless()) return kept;
       }
       if (kept || settings.anchor_bits >= kMostAnchorBits) return kept;
       settings.anchor_bits = kMostAnchorBits;
@@ -102,14 +113,14 @@ class HighpassSearch {
       fewest.anchors = trials_.fewest_anchors();
       DELTAMESH_TRY([[maybe_unused]] const Loads loads, record_.make(fewest));
     }
-    if (record_.best()) return {};
+    if (record_.best() || is_hopeless()) return {};
     if (!fixed_anchors()) {
       DELTAMESH_CHECK(keep_by_anchors(settings, bounds_.lfe ? kForLfe : kForMaxError));
-      if (record_.best()) return {};
+      if (record_.best() || is_hopeless()) return {};
       settings.anchors = usual_anchors(bounds_.lfe ? kForLfe : kForMaxError, trials_);
     }
     DELTAMESH_CHECK(keep_by_diffusion(settings));
-    if (record_.best()) return {};
+    if (record_.best() || is_hopeless()) return {};
     settings.rate_weight = 0;
     return keep_positions(settings);
   }
@@ -127,7 +138,7 @@ class HighpassSearch {
                      .aim = kAim,
                      .tolerance = is_quick() ? kAnything : kWide,
                      .trials = 6});
-    while (!bracket.is_done()) {
+    while (!bracket.is_done() && !is_hopeless()) {
       settings.anchors = static_cast<std::uint32_t>(bracket.setting());
       DELTAMESH_TRY(const Loads loads, record_.make(settings));
       bracket.tell(positional_excess(loads));
@@ -147,7 +158,7 @@ class HighpassSearch {
                      .aim = kAim,
                      .tolerance = is_quick() ? kAnything : kWide,
                      .trials = 5});
-    while (!bracket.is_done()) {
+    while (!bracket.is_done() && !is_hopeless()) {
       settings.diffusion = (1 - bracket.setting()) / (1 - kDiffusedLfe);
       settings.rate_weight = rate_weight * (1 - settings.diffusion);  // what prices save costs more diffusion
       const double diffused = 1 + (kDiffusedDeltaError - 1) * settings.diffusion;
@@ -249,12 +260,13 @@ class HighpassSearch {
   const Bounds& bounds_;
   HighpassTrials& trials_;
   HighpassRecord record_;
+  std::uint64_t most_bytes_;
 };
 
 }  // namespace
 
-Result<Candidate> search_highpass(const Request& request, HighpassTrials& trials) {
-  return HighpassSearch(request, trials).run();
+Result<Candidate> search_highpass(const Request& request, HighpassTrials& trials, std::uint64_t most_bytes) {
+  return HighpassSearch(request, trials, most_bytes).run();
 }
 
 Result<std::uint64_t> forecast_highpass_bytes(const Request& request, double vde, HighpassTrials& trials) {

@@ -5,6 +5,9 @@
 // step, LFE and the largest error set anchors and diffusion; without VDE they set the step.
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "search/highpass_trials.h"
 #include "search/request.h"
 
@@ -13,8 +16,9 @@ namespace deltamesh {
 /// The smallest candidate found that keeps `request`. Deterministic. Candidates made: one for a fixed step or
 /// a budget; 1 to 4 for a VDE; some 10 for positional bounds, a few at effort 0. Errors: kUnmetRequest with
 /// the best that can be had; those of `trials`, where kInvalidStream only if no settings tried make a stream
-/// that decodes.
-Result<Candidate> search_highpass(const Request& request, HighpassTrials& trials);
+/// that decodes. `most_bytes`: given up where bounds are not kept with so many.
+Result<Candidate> search_highpass(const Request& request, HighpassTrials& trials,
+                                  std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max());
 
 /// Bytes, without a solve, of a stream whose VDE is about `vde`: what the search would find within a few per
 /// cent.

@@ -49,8 +49,8 @@ bool is_of_cubes(const VoxelFit& fit) noexcept {
   return !may_be_heights(fit) && std::min(fit.share, fit.in_cubes) > kMost;
 }
 
-/// A side of 10.00001 steps is tried with 10 levels first: neither the side nor the bound is known better.
-constexpr double kNearlyOne = 1 - 1e-4;
+/// A side of 10.00005 steps is tried with 10 levels first: the side is not known better.
+constexpr double kNearlyOne = 1 - 1e-5;
 
 /// The coarsest lattice or the fewest levels that keep the bounds; see search_predictive().
 class BoundSearch {

@@ -199,7 +199,7 @@ TEST(GridStream, GRD12MeshesComeBack) {
   }
 }
 
-/// A grid of 0.04 m has 10 levels of 0.004 m, however the quotient is rounded.
+/// On a grid of 0.04 m a bound of 0.002 m takes 10 levels, not 11 as the quotient is rounded up.
 TEST(GridStream, ARoundBoundTakesNoLevelMore) {
   const Mesh mesh = rooms(3000);
   for (const int effort : {0, 1}) {
