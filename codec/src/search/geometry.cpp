@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "search/geometry.h"
 
-#include <array>
-#include <cstddef>
 #include <utility>
 
 #include "base/try.h"
@@ -13,10 +11,10 @@
 namespace deltamesh {
 namespace {
 
-/// By effort, how much of a predictive stream's bytes a forecast of a highpass one may be for that to be
-/// searched for. It decodes more slowly. At effort 0 predictive streams are not the smallest within their
-/// bounds, so that a forecast little below often ends above.
-constexpr std::array kWorthIt = {0.9, 0.99, 1.15};
+/// How far a highpass stream is forecast below a predictive one before it is taken: it decodes more slowly.
+constexpr double kWorthIt = 0.99;
+/// How far above it a forecast may be for the search still to be tried, at kThoroughEffort.
+constexpr double kHopeless = 1.15;
 
 /// Whether the request leaves the coder open.
 bool may_choose(const Request& request) noexcept {
@@ -60,7 +58,7 @@ Result<Candidate> code_smaller(const Request& request, const SourceGeometry& sou
   if (predictive) {
     const double vde = request.bounds.vde.value_or(predictive->quality.vde_rms);
     const auto forecast = forecast_highpass_bytes(request, vde, highpass_trials);
-    const double share = kWorthIt.at(static_cast<std::size_t>(request.effort));
+    const double share = request.effort < kThoroughEffort ? kWorthIt : kHopeless;
     if (!forecast || static_cast<double>(*forecast) > share * static_cast<double>(predictive->bytes))
       return predictive;
   }
