@@ -11,7 +11,6 @@
 #include "deltamesh/attribute_quality.h"
 #include "deltamesh/map/encode_map.h"
 #include "deltamesh/map/folder.h"
-#include "deltamesh/map/part_entry.h"
 #include "deltamesh/result.h"
 
 namespace deltamesh::cli {

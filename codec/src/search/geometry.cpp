@@ -33,12 +33,6 @@ bool suits_predictive(const PredictiveTrials& trials) {
   return are_voxels_enough(trials);
 }
 
-Result<Candidate> code_highpass(const Request& request, const SourceGeometry& source,
-                                const StreamRest& rest) {
-  MeshHighpassTrials trials(request, source, rest);
-  return search_highpass(request, trials);
-}
-
 /// Of the errors of two coders, the one to tell: that which comes nearer to the request, in fewer bytes.
 const Error& nearer(const Error& a, const Error& b) noexcept {
   if (a.code != ErrorCode::kUnmetRequest) return b;
@@ -62,9 +56,8 @@ Result<Candidate> code_smaller(const Request& request, const SourceGeometry& sou
     if (!forecast || static_cast<double>(*forecast) > share * static_cast<double>(predictive->bytes))
       return predictive;
   }
-  auto highpass = predictive && request.has_bounds()
-                      ? search_highpass(request, highpass_trials, predictive->bytes)
-                      : search_highpass(request, highpass_trials);
+  auto highpass = predictive ? search_highpass(request, highpass_trials, predictive->bytes)
+                             : search_highpass(request, highpass_trials);
   if (!highpass) return predictive ? std::move(predictive) : nearer(predictive.error(), highpass.error());
   if (!predictive) return highpass;
   const bool better = request.has_bounds() ? highpass->bytes < predictive->bytes
@@ -82,7 +75,8 @@ Result<Candidate> code_geometry(const Request& request, const SourceGeometry& so
     if (may_choose(request) && !is_plain) return code_smaller(request, source, rest);
     if (request.coder == GeometryCoder::kPredictive || request.lossless || may_choose(request))
       return search_predictive(PredictiveTrials(request, source, rest));
-    return code_highpass(request, source, rest);
+    MeshHighpassTrials trials(request, source, rest);
+    return search_highpass(request, trials);
   };
   auto coded = code();
   // The stream of a finite mesh breaks a rule only where numbers leave the range of floats, or where cycles

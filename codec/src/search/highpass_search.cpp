@@ -64,6 +64,8 @@ class HighpassSearch {
     return !record_.best() && record_.last() && record_.last()->bytes >= most_bytes_;
   }
 
+  bool is_over() const noexcept { return record_.best() || is_hopeless(); }
+
   /// Of a search at a step that keeps VDE, or nearly.
   static double positional_excess(const Loads& loads) noexcept {
     return excess_of_load(loads.visual > 1 ? loads.all() : loads.positional);
@@ -113,14 +115,14 @@ class HighpassSearch {
       fewest.anchors = trials_.fewest_anchors();
       DELTAMESH_TRY([[maybe_unused]] const Loads loads, record_.make(fewest));
     }
-    if (record_.best() || is_hopeless()) return {};
+    if (is_over()) return {};
     if (!fixed_anchors()) {
       DELTAMESH_CHECK(keep_by_anchors(settings, bounds_.lfe ? kForLfe : kForMaxError));
-      if (record_.best() || is_hopeless()) return {};
+      if (is_over()) return {};
       settings.anchors = usual_anchors(bounds_.lfe ? kForLfe : kForMaxError, trials_);
     }
     DELTAMESH_CHECK(keep_by_diffusion(settings));
-    if (record_.best() || is_hopeless()) return {};
+    if (is_over()) return {};
     settings.rate_weight = 0;
     return keep_positions(settings);
   }

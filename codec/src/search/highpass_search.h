@@ -16,7 +16,7 @@ namespace deltamesh {
 /// The smallest candidate found that keeps `request`. Deterministic. Candidates made: one for a fixed step or
 /// a budget; 1 to 4 for a VDE; some 10 for positional bounds, a few at effort 0. Errors: kUnmetRequest with
 /// the best that can be had; those of `trials`, where kInvalidStream only if no settings tried make a stream
-/// that decodes. `most_bytes`: given up where bounds are not kept with so many.
+/// that decodes. `most_bytes`: a search for bounds ends with a candidate of so many while none keeps them.
 Result<Candidate> search_highpass(const Request& request, HighpassTrials& trials,
                                   std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max());
 

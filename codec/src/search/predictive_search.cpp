@@ -49,7 +49,7 @@ bool is_of_cubes(const VoxelFit& fit) noexcept {
   return !may_be_heights(fit) && std::min(fit.share, fit.in_cubes) > kMost;
 }
 
-/// A side of 10.00005 steps is tried with 10 levels first: the side is not known better.
+/// A side of 10.00005 steps is tried with 10 levels first: it is not known more exactly.
 constexpr double kNearlyOne = 1 - 1e-5;
 
 /// The coarsest lattice or the fewest levels that keep the bounds; see search_predictive().

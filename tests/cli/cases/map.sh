@@ -56,7 +56,7 @@ rm named.map/bounds.json
 run map split more.ply named.map --part-edge 2
 run map split more.ply named.map --part-edge 2 --max-error 0.01
 quiet map split more.ply named.map --part-edge 2 --max-error 0.01 --color-error 4
-# If bounds.json cannot be written, no map is.
+# Where bounds.json cannot be written, the map is not written either.
 mkdir -p unwritten.map/bounds.json
 status map split rooms.ply unwritten.map --part-edge 2 --max-error 0.01
 find unwritten.map -type f

@@ -42,9 +42,9 @@ struct NewPart {
 /// Makes `folder` hold `manifest`: writes the files of `parts`, then replaces the manifest by renaming, then
 /// deletes the files that no entry names. Interrupted at any point, the folder holds the old state or the
 /// new; where writing fails, the new files are deleted. Every entry's file is there already or among `parts`.
-/// `others`: what else belongs to the state, replaced together with the manifest, as by write_files(): if
-/// that ends between two renames, they are new beside the old manifest. Errors: kFileOpen, kFileWrite, as
-/// write_manifest().
+/// `others`: what else belongs to the state, replaced just before the manifest, as by write_files(): they are
+/// new beside an old manifest where the program ends, or a rename fails, in between. Errors: kFileOpen,
+/// kFileWrite, as write_manifest().
 Result<void> save_map(const std::string& folder, const MapManifest& manifest, std::span<const NewPart> parts,
                       std::span<const NewFile> others = {}) noexcept;
 
