@@ -28,14 +28,6 @@ std::string format_text(const StreamInfo& info) {
   return text;
 }
 
-template <class Numbers>
-std::string brief_list(const Numbers& numbers, const char* between) {
-  std::string text;
-  for (const auto number : numbers)
-    text += (text.empty() ? "" : between) + brief(static_cast<double>(number));
-  return text;
-}
-
 void print_chunk_row(const char* tag, const char* codec, const std::string& offset, const std::string& coded,
                      const std::string& decoded) {
   char row[160];

@@ -34,6 +34,15 @@ std::string counted(std::uint64_t number, std::string_view one, std::string_view
 /// Four significant digits.
 std::string brief(double number);
 
+/// Numbers as brief() writes them.
+template <class Numbers>
+std::string brief_list(const Numbers& numbers, const char* between) {
+  std::string text;
+  for (const auto number : numbers)
+    text += (text.empty() ? "" : between) + brief(static_cast<double>(number));
+  return text;
+}
+
 /// "0.01234 (0.05 % of the diagonal)"; the length alone where the diagonal is 0.
 std::string of_diagonal(double length, double diagonal);
 

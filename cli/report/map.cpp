@@ -123,6 +123,7 @@ void print_map(const std::string& headline, const MapManifest& manifest,
                          std::to_string(manifest.revision));
   summary.add("lattice", "2^" + std::to_string(description.lattice.step_exponent) + " = " +
                              brief(description.lattice.step()));
+  if (description.grid) summary.add("grid", "voxels of " + brief_list(description.grid->edge, " x "));
   summary.add("smallest cell", brief(description.cell_steps * description.lattice.step()));
   std::string parts = grouped(totals.parts);
   if (totals.parts != 0)
@@ -175,6 +176,7 @@ nlohmann::ordered_json map_object(const MapManifest& manifest) {
   object["revision"] = manifest.revision;
   object["origin"] = description.lattice.origin;
   object["lattice_step"] = description.lattice.step();
+  if (description.grid) object["voxel"] = description.grid->edge;
   object["cell_edge"] = description.cell_steps * description.lattice.step();
   object["parts"] = totals.parts;
   object["part_bytes"] = totals.bytes;

@@ -24,6 +24,7 @@ class Map:
         self.id, self.epoch, self.frame = r.number("Q"), r.number("I"), r.bytes(r.u8())
         self.origin, self.step = [r.number("d") for _ in range(3)], 2.0**r.number("b")
         self.cell_steps, self.cell_origin = r.varint(), [unzigzag(r.varint()) for _ in range(3)]
+        self.grid = self.MAP_5_grid(r)
         self.attributes = [Attribute(r) for _ in range(r.u8())]
         must(all(a.is_shortest for a in self.attributes), "MAP-5", "a descriptor that is longer than it need be")
         self.primers, self.states = [], [None]
@@ -32,6 +33,16 @@ class Map:
             self.primers.append((CNT_1_stream(stream, Attribute), coded_border))
             self.states.append(self.decode(self.primers[-1], self.states[-1])[1])
         r.end()
+
+    def MAP_5_grid(self, r):
+        """Origin and edges of the map's grid, or None."""
+        grids = r.u8()
+        must(grids <= 1, "MAP-5", f"{grids} grids")
+        if not grids:
+            return None
+        origin, edges = ([r.number("d") for _ in range(3)] for _ in range(2))
+        must(np.all(np.isfinite(origin + edges)) and min(edges) > 0, "MAP-5", f"a grid at {origin} with edges {edges}")
+        return origin, edges
 
     def decode(self, coded, before, base=None):
         """A part's mesh [MAP-7, MAP-11], and the models that it leaves; `before` are those that it begins with; `base`: what it is coded beside, or None."""
@@ -58,11 +69,15 @@ class Map:
         """The mesh of a part, relative to the map's origin; `key` is (level, x, y, z)."""
         if octets[:1] == b"\4":
             return MAP_17_part(self, key, octets)
-        r = Reader(self.checked(key, octets))
+        return self.MAP_7_covered(key, self.checked(key, octets), base)
+
+    def MAP_7_covered(self, key, octets, base=None):
+        """The same of octets without their checksum."""
+        r = Reader(octets)
         if octets[0] & 1:
-            must(octets[0] == 1 and octets[1] < len(self.primers) and len(octets) == 6, "MAP-7", "no primer")
+            must(len(octets) == 2 and octets[0] == 1 and octets[1] < len(self.primers), "MAP-7", "no primer")
             return self.decode(self.primers[octets[1]], self.states[octets[1]], base)[0]
-        header = PartHeader(r, self.corner(key), self.primers[-1][0][0] if self.primers else None)
+        header = PartHeader(r, self.corner(key), self.grid)
         border, shapes = r.bytes(r.varint()), iter(self.attributes)
         chunks = CNT_4_chunks(r, header, lambda _: next(shapes, None))
         tags = [chunk.tag for chunk in chunks]
@@ -72,14 +87,14 @@ class Map:
 
 class PartHeader(Header):
     """[MAP-7]"""
-    def __init__(self, r, corner, primer):
+    def __init__(self, r, corner, grid):
         self.corner = corner
         self.HDR_5_counts(r)
         if self.flags & 2:
-            must(self.coder == VOXELS and not self.flags & 0x38 and primer and primer.coder == VOXELS, "MAP-7", f"flags {self.flags}")
-            self.levels, self.lattice_origin = r.varint(), primer.lattice_origin
+            must(self.coder == VOXELS and not self.flags & 0x38 and grid, "MAP-7", f"flags {self.flags}")
+            self.levels, (self.lattice_origin, edges) = r.varint(), grid
             width = 2 * self.levels
-            self.steps = [2 * primer.levels * S / width for S in primer.steps]
+            self.steps = [edge / width for edge in edges]
             pairs = [(unzigzag(r.varint()), r.varint()) for _ in range(3)]
             voxels = [math.floor((c - o) / (width * s)) for c, o, s in zip(corner, self.lattice_origin, self.steps)]
             self.first = [width * (f + v) for (f, _), v in zip(pairs, voxels)]

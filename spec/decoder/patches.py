@@ -41,10 +41,10 @@ def MAP_17_apply(described, key, base, base_hash, patch):
     must(octets[:1] != b"\4", "MAP-17", "the inserted part is patched")
     if not plan:
         must(octets, "MAP-17", "neither a plan nor a part")
-        return described.MAP_7_part(key, octets, base)
+        return described.MAP_7_covered(key, octets, base)
     plan = Coder(Reader(plan))
     stays = MAP_17_staying(plan, base.faces)
-    inserted = described.MAP_7_part(key, octets) if octets else no_part_like(base)
+    inserted = described.MAP_7_covered(key, octets) if octets else no_part_like(base)
     must(base.groups is None and inserted.groups is None, "MAP-17", "groups of faces")
     must(any(stays), "MAP-17", "no face stays")
     kept = [face for face, stay in zip(base.faces, stays) if stay]

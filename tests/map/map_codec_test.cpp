@@ -228,37 +228,5 @@ TEST(MapCodec, MAP8AMapHasALatticeThatEveryPartCanKeepItsBoundsOn) {
   }
 }
 
-/// From voxels of 0.1 m: hills, and beside them a floor.
-Mesh hills_and_floor() {
-  constexpr std::uint32_t kNodes = 40;
-  std::mt19937 random(1);
-  std::vector<float> layer(std::size_t{kNodes} * kNodes);
-  const scenes::Lattice lattice{.nodes = {3 * kNodes, kNodes, kNodes}, .voxel = 0.1, .base = {}};
-  const auto surface = march_cubes(lattice, [&](std::uint32_t i) {
-    for (std::uint32_t j = 0; j < kNodes; ++j) {
-      const float hill =
-          i < kNodes ? 6 * std::sin(static_cast<float>(i) / 4) * std::sin(static_cast<float>(j) / 5) : 0;
-      const float height = 20 + hill + 0.4F * static_cast<float>(random() % 1000) / 1000;
-      for (std::uint32_t k = 0; k < kNodes; ++k)
-        layer[std::size_t{j} * kNodes + k] = static_cast<float>(k) - height;
-    }
-    return std::span<const float>(layer);
-  });
-  Mesh mesh;
-  mesh.positions = surface.positions;
-  mesh.triangles = surface.triangles;
-  return mesh;
-}
-
-TEST(MapCodec, MAP7AFloorIsOnTheGridOfTheMap) {
-  MapSettings settings{.part_edge = 2};
-  settings.quality.bounds.max_error = QualityBound{0.005};
-  const auto state = encode_map(hills_and_floor(), settings);
-  ASSERT_TRUE(state);
-  EXPECT_GE(state->octets.size(), 6U);
-  for (const auto& octets : state->octets)
-    EXPECT_NE(std::to_integer<int>(octets[0]) & 3, 0);  // a primer, or in its voxels
-}
-
 }  // namespace
 }  // namespace deltamesh

@@ -19,6 +19,7 @@ MapDescription example() {
   description.lattice = {.origin = {1, -2.5, 1e6}, .step_exponent = -10};
   description.cell_steps = 1000;
   description.cell_origin = {-3, 100, 0};
+  description.grid = VoxelGrid{{0.5, 0, -7}, {0.05, 0.05, 0.1}};
   description.attributes = {{AttributeKind::kColor, ComponentType::kU8, 3, true, "red"},
                             {AttributeKind::kGeneric, ComponentType::kF32, 2, false, "confidence"}};
   description.primers = {{{std::byte{1}, std::byte{2}, std::byte{3}}, {std::byte{4}}}};
@@ -28,7 +29,7 @@ MapDescription example() {
 TEST(MapDescription, MAP5RoundTrip) {
   const auto message = write_description(example());
   ASSERT_TRUE(message);
-  EXPECT_EQ(message->size(), 82U);
+  EXPECT_EQ(message->size(), 131U);
   const auto back = read_description(*message);
   ASSERT_TRUE(back);
   EXPECT_EQ(*back, example());
@@ -56,7 +57,7 @@ TEST(MapDescription, MAP1EveryDamageIsAnError) {
 
 TEST(MapDescription, MAP5DescriptorsAreAsShortAsCanBe) {
   const auto message = write_description(example());
-  constexpr std::size_t kFirstDescriptor = 54;
+  constexpr std::size_t kFirstDescriptor = 103;
   const auto with_descriptor = [&](std::vector<std::byte> descriptor) {
     const std::span whole(*message);
     ByteWriter out;
@@ -96,6 +97,14 @@ TEST(MapDescription, MAP2MAP3MAP6RangesAreChecked) {
   description = example();
   description.cell_origin[2] = 1 << 24;
   EXPECT_EQ(rule_of(description), "MAP-3");
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    description = example();
+    description.grid->edge[2] = bad;
+    EXPECT_EQ(rule_of(description), "MAP-5") << bad;
+  }
+  description = example();
+  description.grid->origin[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(rule_of(description), "MAP-5");
   description = example();
   description.attributes[0].components = 17;
   EXPECT_EQ(rule_of(description), "MAP-5");

@@ -10,6 +10,7 @@
 
 #include "deltamesh/map/messages.h"
 #include "deltamesh/map/part.h"
+#include "message/frame.h"
 
 namespace deltamesh {
 namespace {
@@ -99,6 +100,37 @@ TEST(MapMessages, MAP14PartsComeBack) {
   EXPECT_STREQ(write_part(empty).error().rule, "MAP-14");
   empty.octets.resize(kMostPartBytes + 1);
   EXPECT_STREQ(write_part(empty).error().rule, "MAP-14");
+}
+
+TEST(MapMessages, MAP18PatchesComeBackWithTheirBase) {
+  const PartKey own = example_part().key;
+  std::vector<std::size_t> sizes;
+  for (const PartKey& base : {own, PartKey{own.level, own.x - 1, own.y, own.z + 1},
+                              PartKey{static_cast<std::uint8_t>(own.level + 1), own.x, 0, 0}}) {
+    PatchMessage patch{.part = example_part(), .base_key = base, .body = {std::byte{5}}};
+    patch.part.octets.clear();
+    const auto bytes = write_patch(patch);
+    ASSERT_TRUE(bytes);
+    sizes.push_back(bytes->size());
+    const auto back = read_patch(*bytes);
+    ASSERT_TRUE(back) << describe(back.error());
+    EXPECT_EQ(back->part.key, own);
+    EXPECT_EQ(back->part.links, patch.part.links);
+    EXPECT_EQ(back->base_key, base);
+    EXPECT_EQ(back->body, patch.body);
+    expect_every_damage_found(*bytes, [](const Bytes& b) { return bool{read_patch(b)}; });
+    // A mark, which means nothing there: its byte is before the body and the checksum.
+    if (base != own) continue;
+    ByteWriter out;
+    out.write_bytes(std::span(*bytes).first(bytes->size() - 6));
+    out.write(std::uint8_t{13 + 32});
+    out.write_bytes(std::span(*bytes).subspan(bytes->size() - 5, 1));
+    const auto marked = read_patch(end_message(std::move(out)));
+    ASSERT_FALSE(marked);
+    EXPECT_STREQ(marked.error().rule, "MAP-18");
+  }
+  EXPECT_EQ(sizes[0], sizes[1]);
+  EXPECT_LT(sizes[1], sizes[2]);
 }
 
 TEST(MapMessages, MAP16StartsComeBack) {

@@ -58,7 +58,7 @@ class Part:
         self.whole, self.octets, self.hash, self.place = whole, octets, xxhash.xxh3_64_intdigest(whole), key
         self.key = bytes([key[0]]) + b"".join(varint(2 * x if x >= 0 else -2 * x - 1) for x in key[1:])
         r = Reader(octets[:-4])
-        self.header = PartHeader(r, Map(whole).corner(key), None)
+        self.header = PartHeader(r, Map(whole).corner(key), Map(whole).grid)
         self.before, self.border, self.chunks = octets[:r.at], r.bytes(r.varint()), r.rest()
 
     def sealed(self, body, before=b""):
@@ -107,6 +107,9 @@ def of_messages():
     yield blobs(whole[:4] + b"\2" + whole[5:])
     yield blobs(whole[:-1] + bytes([whole[-1] ^ 1]))
     yield blobs(message(1, whole[5:-6] + b"\1" + b"\0\1\1\3\1\3red" + b"\0"))
+    yield blobs(message(1, whole[5:-7] + b"\2\0\0"))
+    for origin, edge in ((0.0, 0.0), (float("inf"), 1.0)):
+        yield blobs(message(1, whole[5:-7] + b"\1" + struct.pack("<6d", *[origin] * 3, *[edge] * 3) + b"\0\0"))
     for at, value in ((23, 0.7), (55, float("inf"))):
         yield blobs(message(10, pose[5:at] + struct.pack("<d", value) + pose[at + 8:-4]))
     yield blobs(message(11, pieces[0][5:13] + varint(8) + pieces[0][14:-4]))
@@ -132,13 +135,13 @@ def of_patches(square, rng):
     for _ in range(17):
         octets = b"\4" + square.key + varint(len(octets)) + octets
     yield square.file(octets)
-    yield square.file(square.patched(plan, square.patched(plan, b"")))
+    yield square.file(square.patched(plan, square.patched(plan, b"")[:-4]))
     yield square.file(square.patched(b"", b""))
     groups = line("fgrp.md", "compact", bytes)
     yield square.file(square.patched(plan, b"", square.sealed(square.octets[:-4] + b"\x23" + varint(len(groups)) + groups)))
     yield square.file(square.patched(plan, b"")[:-1] + b"\0")
     for i in range(4 * TRIES):
-        yield by_chance(plan, lambda plan, inserted=square.octets * (i % 2): square.file(square.patched(plan, inserted)), rng.randrange(10), rng)
+        yield by_chance(plan, lambda plan, inserted=square.octets[:-4] * (i % 2): square.file(square.patched(plan, inserted)), rng.randrange(10), rng)
 
 
 def beyond_bricks(far):
@@ -148,7 +151,7 @@ def beyond_bricks(far):
         r.varint()
     counts, lattice = bytes([4, 5, 0, 1]), r.rest()
     grid = line("map.md", "grid", bytes)
-    inserted = far.sealed(bytes([far.before[0] & 0x3f | VOXELS << 6]) + counts + lattice + b"\1\0\x29" + varint(len(grid)) + grid + b"\x27\0")
+    inserted = bytes([far.before[0] & 0x3f | VOXELS << 6]) + counts + lattice + b"\1\0\x29" + varint(len(grid)) + grid + b"\x27\0"
     yield far.file(far.patched(b"", inserted))
 
 

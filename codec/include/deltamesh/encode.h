@@ -17,6 +17,7 @@
 #include "deltamesh/quality_request.h"
 #include "deltamesh/result.h"
 #include "deltamesh/stream_info.h"
+#include "deltamesh/voxel_grid.h"
 
 namespace deltamesh {
 
@@ -72,6 +73,8 @@ struct EncodeOptions {
   /// Models begin as here, not fresh; must outlive the call. Decoders need the same
   /// (deltamesh/model_states.h).
   const ModelStates* starting_states = nullptr;
+  /// That the mesh was cut from. Where nothing is said, encode() looks for one.
+  std::optional<VoxelGrid> grid{};
   /// A mesh that decoders have too, such as an earlier version: streams of grids take fewer bytes beside it.
   /// Must outlive the call; decoders need the same.
   const KnownMesh* known = nullptr;

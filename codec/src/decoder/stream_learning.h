@@ -24,7 +24,7 @@ class StreamLearning {
   Learning<GridModels> of_grid() const {
     if (learnt_ != nullptr) {
       learnt_->grid = std::make_unique<GridModels>(header_.predictive.levels);
-      learnt_->voxels = header_.predictive;
+      learnt_->levels = header_.predictive.levels;
     }
     return {start_ != nullptr ? start_->grid.get() : nullptr,
             learnt_ != nullptr ? learnt_->grid.get() : nullptr};

@@ -41,7 +41,10 @@ double largest_side(const VoxelFit& fit) noexcept {
 }
 
 /// Heights over a grid have a lattice of their own. But a part of a map on a given grid may be a floor.
-bool may_be_heights(const VoxelFit& fit) noexcept { return fit.is_along_one_axis && !fit.is_given; }
+bool may_be_heights(const VoxelFit& fit) noexcept {
+  constexpr double kMostAlongOneAxis = 0.9;
+  return fit.along_one_axis > kMostAlongOneAxis && !fit.is_given;
+}
 
 /// Whether most of the mesh is: then the grid coder takes less than any lattice.
 bool is_of_cubes(const VoxelFit& fit) noexcept {

@@ -213,26 +213,15 @@ Candidate PredictiveTrials::code_exactly(const std::optional<PositionForm>& form
 const std::optional<VoxelFit>& PredictiveTrials::voxels() const {
   if (!voxels_ && is_plain()) voxels_.emplace();
   if (!voxels_) {
-    voxels_ = has_usual_voxels() ? fit_usual_voxels() : fit_voxels(values_, source_.box);
+    voxels_ =
+        request_.grid ? fit_to_grid(*request_.grid, values_, source_.box) : fit_voxels(values_, source_.box);
     if (*voxels_) *voxels_ = for_most_faces(**voxels_, values_, source_.triangles);
   }
   return *voxels_;
 }
 
-bool PredictiveTrials::has_usual_voxels() const noexcept {
-  return request_.start != nullptr && request_.start->voxels;
-}
-
 std::uint32_t PredictiveTrials::usual_levels() const noexcept {
-  return has_usual_voxels() ? request_.start->voxels->levels : 0;
-}
-
-std::optional<VoxelFit> PredictiveTrials::fit_usual_voxels() const {
-  const PredictiveParameters& usual = *request_.start->voxels;
-  VoxelFit grid{.origin = usual.lattice.origin};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    grid.voxel[axis] = 2.0 * usual.levels * usual.lattice.step[axis];
-  return fit_to_grid(grid, values_, source_.box);
+  return request_.start != nullptr ? request_.start->levels : 0;
 }
 
 }  // namespace deltamesh

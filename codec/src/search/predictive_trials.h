@@ -57,7 +57,7 @@ class PredictiveTrials {
   double step_for_bits(int bits) const noexcept;
   /// The axes whose coordinates all are on a grid, of steps of at least `finest`.
   std::array<AxisGrid, 3> axes(double finest) const { return fit_axes(values_, source_.box, finest); }
-  /// The voxels that the mesh was cut from; that of the starting states, or looked for when first
+  /// The voxels that the mesh was cut from: those of the request's grid, or looked for when first
   /// asked for. None in the plain form, which gains nothing by them.
   const std::optional<VoxelFit>& voxels() const;
 
@@ -79,8 +79,6 @@ class PredictiveTrials {
   WritePositions writer(const LatticeTrial& trial) const;
   Candidate code_floats(const std::optional<PositionForm>& form) const;
   bool is_plain() const noexcept { return request_.profile == Profile::kZstd; }
-  bool has_usual_voxels() const noexcept;
-  std::optional<VoxelFit> fit_usual_voxels() const;
   FaceList faces() const noexcept {
     return {source_.triangles, static_cast<std::uint32_t>(source_.positions.size())};
   }

@@ -149,6 +149,7 @@ Result<Request> make_request(const EncodeOptions& options, const SourceGeometry&
                   .effort = options.effort,
                   .containers = options.anchor_containers ? options.anchor_containers.get() : nullptr,
                   .start = options.starting_states != nullptr ? &options.starting_states->models() : nullptr,
+                  .grid = options.grid,
                   .known = options.known};
   // Of what nobody asked for, as much as the source's own error allows.
   const auto but = [&](double bound) { return std::max(bound - options.source_error, bound / 2); };

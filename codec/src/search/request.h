@@ -71,6 +71,7 @@ struct Request {
   std::optional<PositionForm> form = std::nullopt;  ///< of lattices within bounds; empty: the smallest
   AnchorContainers* containers = nullptr;           ///< may be null
   const StreamModels* start = nullptr;              ///< null for fresh models
+  std::optional<VoxelGrid> grid = std::nullopt;     ///< that the mesh was cut from, if known
   const KnownMesh* known = nullptr;                 ///< null: nothing is known
   Progress* progress = nullptr;                     ///< may be null
   /// Attributes cost less on positions that decoders know to the bit, those of the predictive coder.

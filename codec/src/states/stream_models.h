@@ -12,7 +12,6 @@
 #include "attributes/models.h"
 #include "connectivity/faces/op_models.h"
 #include "entropy/coder/learning.h"
-#include "format/predictive_parameters.h"
 #include "grid/grid_models.h"
 #include "positions/lattice/coder.h"
 
@@ -24,7 +23,7 @@ struct StreamModels {
   std::optional<LatticeModels> lattice;
   std::unique_ptr<GridModels> grid;
   std::vector<AttributeModels> attributes;
-  std::optional<PredictiveParameters> voxels;  ///< of a stream with voxel edges
+  std::uint32_t levels = 0;  ///< along a voxel's edge; 0 of a stream without
 
   const OpModels* of_ops() const noexcept { return ops ? &*ops : nullptr; }
   const LatticeModels* of_lattice() const noexcept { return lattice ? &*lattice : nullptr; }

@@ -3,6 +3,7 @@
 #include <xxhash.h>
 
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "base/byte_reader.h"
@@ -59,6 +60,10 @@ std::vector<std::byte> message_of(const MapDescription& description) {
   out.write(static_cast<std::int8_t>(description.lattice.step_exponent));
   out.write_varint(description.cell_steps);
   for (const std::int32_t x : description.cell_origin) out.write_varint(zigzag(x));
+  out.write(static_cast<std::uint8_t>(description.grid ? 1 : 0));
+  if (description.grid)
+    for (const auto* numbers : {&description.grid->origin, &description.grid->edge})
+      for (const double x : *numbers) out.write(x);
   out.write(static_cast<std::uint8_t>(description.attributes.size()));
   for (const MapAttribute& attribute : description.attributes)
     write_descriptor(out, descriptor_of(attribute));
@@ -70,6 +75,18 @@ std::vector<std::byte> message_of(const MapDescription& description) {
     }
   }
   return end_message(std::move(out));
+}
+
+Result<std::optional<VoxelGrid>> read_grid(ByteReader& in) {
+  DELTAMESH_TRY(const auto grids, in.read<std::uint8_t>());
+  if (grids > 1) return in.error(ErrorCode::kInvalidStream, "a map of more than one grid", "MAP-5");
+  if (grids == 0) return std::optional<VoxelGrid>();
+  VoxelGrid grid;
+  for (auto* numbers : {&grid.origin, &grid.edge})
+    for (double& x : *numbers) {
+      DELTAMESH_TRY(x, in.read<double>());
+    }
+  return std::optional(grid);
 }
 
 Result<MapDescription> read_body(ByteReader in) {
@@ -87,6 +104,7 @@ Result<MapDescription> read_body(ByteReader in) {
     DELTAMESH_TRY(const auto code, in.read_varint(std::numeric_limits<std::uint32_t>::max()));
     x = unzigzag(static_cast<std::uint32_t>(code));
   }
+  DELTAMESH_TRY(description.grid, read_grid(in));
   DELTAMESH_TRY(const auto attributes, in.read<std::uint8_t>());
   for (unsigned i = 0; i < attributes; ++i) {
     DELTAMESH_TRY(auto attribute, read_attribute(in));

@@ -16,10 +16,7 @@
 namespace deltamesh {
 namespace {
 
-constexpr std::uint8_t kOwnPlace = 13;     // [MAP-12]
-constexpr std::uint8_t kFarPlace = 27;     // [MAP-12]
-constexpr std::uint8_t kTogetherBit = 32;  // [MAP-12]
-constexpr std::uint8_t kLeastBit = 64;     // [MAP-12]
+constexpr std::uint8_t kFarPlace = 27;  // [MAP-12]
 
 constexpr std::uint64_t kMostUnsigned = std::numeric_limits<std::uint32_t>::max();
 
@@ -41,8 +38,7 @@ Result<std::int32_t> moved(std::int32_t from, int by, const ByteReader& in) {
 
 Result<PartKey> read_place(ByteReader& in, const PartKey& key, std::uint8_t place) {
   if (place == kFarPlace) return read_key(in);
-  if (place > kFarPlace || place == kOwnPlace)
-    return in.error(ErrorCode::kInvalidStream, "no such place of a neighbour", "MAP-12");
+  if (place > kFarPlace) return in.error(ErrorCode::kInvalidStream, "no such place of a neighbour", "MAP-12");
   PartKey other{.level = key.level};
   DELTAMESH_TRY(other.x, moved(key.x, place % 3 - 1, in));
   DELTAMESH_TRY(other.y, moved(key.y, place / 3 % 3 - 1, in));
@@ -120,14 +116,25 @@ std::uint64_t hash_of_shown(std::span<const std::pair<PartKey, std::uint64_t>> p
   return XXH3_64bits(out.bytes().data(), out.size());
 }
 
+void write_neighbor(ByteWriter& out, const PartKey& key, const Neighbor& neighbor) {
+  const std::uint8_t place = place_of(key, neighbor.key);
+  out.write(static_cast<std::uint8_t>(place | neighbor.flags));
+  if (place == kFarPlace) write_key(out, neighbor.key);
+}
+
+Result<Neighbor> read_neighbor(ByteReader& in, const PartKey& key) {
+  DELTAMESH_TRY(const auto code, in.read<std::uint8_t>());
+  Neighbor neighbor{.flags = static_cast<std::uint8_t>(code & (kTogetherFlag | kLeastFlag))};
+  DELTAMESH_TRY(neighbor.key, read_place(in, key, static_cast<std::uint8_t>(code - neighbor.flags)));
+  return neighbor;
+}
+
 void write_links(ByteWriter& out, const PartKey& key, std::uint64_t revision,
                  const std::vector<PartLink>& links) {
   out.write_varint(links.size());
   for (const PartLink& link : links) {
-    const std::uint8_t place = place_of(key, link.key);
-    out.write(static_cast<std::uint8_t>(place | (link.together ? kTogetherBit : 0) |
-                                        (link.least != 0 ? kLeastBit : 0)));
-    if (place == kFarPlace) write_key(out, link.key);
+    const int flags = (link.together ? kTogetherFlag : 0) | (link.least != 0 ? kLeastFlag : 0);
+    write_neighbor(out, key, {link.key, static_cast<std::uint8_t>(flags)});
     out.write(link.border);
     if (link.least != 0) out.write_varint(zigzag(static_cast<std::int64_t>(revision - link.least)));
   }
@@ -137,12 +144,10 @@ Result<std::vector<PartLink>> read_links(ByteReader& in, const PartKey& key, std
   DELTAMESH_TRY(const auto count, in.read_varint(kMostLinks));
   std::vector<PartLink> links;
   for (std::uint64_t i = 0; i < count; ++i) {
-    DELTAMESH_TRY(const auto code, in.read<std::uint8_t>());
-    PartLink link{.together = (code & kTogetherBit) != 0};
-    DELTAMESH_TRY(link.key,
-                  read_place(in, key, static_cast<std::uint8_t>(code & ~(kTogetherBit | kLeastBit))));
+    DELTAMESH_TRY(const Neighbor neighbor, read_neighbor(in, key));
+    PartLink link{.key = neighbor.key, .together = (neighbor.flags & kTogetherFlag) != 0};
     DELTAMESH_TRY(link.border, in.read<std::uint32_t>());
-    if ((code & kLeastBit) != 0) {
+    if ((neighbor.flags & kLeastFlag) != 0) {
       DELTAMESH_TRY(const auto behind, in.read_varint());
       link.least = revision - static_cast<std::uint64_t>(unzigzag(behind));
       if (link.least == 0) return in.error(ErrorCode::kInvalidStream, "a least revision of 0", "MAP-12");

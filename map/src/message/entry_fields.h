@@ -21,6 +21,19 @@ void write_key(ByteWriter& out, const PartKey& key);
 /// Errors: kTruncated, kInvalidStream [MAP-12].
 Result<PartKey> read_key(ByteReader& in);
 
+/// A part, told by where it is from another one.
+struct Neighbor {
+  PartKey key{};
+  std::uint8_t flags = 0;  ///< of a link: kTogetherFlag, kLeastFlag
+};
+inline constexpr std::uint8_t kTogetherFlag = 32;  // [MAP-12]
+inline constexpr std::uint8_t kLeastFlag = 64;     // [MAP-12]
+
+/// One byte where the cell is `key` or at most a cell of the same level away from it.
+void write_neighbor(ByteWriter& out, const PartKey& key, const Neighbor& neighbor);
+/// Errors: kTruncated, kInvalidStream [MAP-12].
+Result<Neighbor> read_neighbor(ByteReader& in, const PartKey& key);
+
 /// Errors: kInvalidArgument (a level above 24, links that do not ascend, to itself, or too many) [MAP-12].
 Result<void> check_links(const PartKey& key, const std::vector<PartLink>& links) noexcept;
 

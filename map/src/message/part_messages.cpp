@@ -113,8 +113,7 @@ Result<std::vector<std::byte>> write_patch(const PatchMessage& message) noexcept
     DELTAMESH_CHECK(check_octets(message.body, "MAP-17"));
     ByteWriter out = begin_message(MessageKind::kPatch);
     write_part_fields(out, message.part);
-    write_key(out, message.base_key);
-    out.write(message.base);
+    write_neighbor(out, message.part.key, {message.base_key, 0});
     out.write_bytes(message.body);
     return end_message(std::move(out));
   });
@@ -143,8 +142,9 @@ Result<PatchMessage> read_patch(std::span<const std::byte> message) noexcept {
     ByteReader in(body);
     PatchMessage patch;
     DELTAMESH_TRY(patch.part, read_part_fields(in));
-    DELTAMESH_TRY(patch.base_key, read_key(in));
-    DELTAMESH_TRY(patch.base, in.read<std::uint64_t>());
+    DELTAMESH_TRY(const Neighbor base, read_neighbor(in, patch.part.key));
+    if (base.flags != 0) return in.error(ErrorCode::kInvalidStream, "a base with a mark", "MAP-18");
+    patch.base_key = base.key;
     DELTAMESH_TRY(patch.body, read_octets(in, "MAP-17"));
     return patch;
   });

@@ -12,7 +12,6 @@
 #include "deltamesh/model_states.h"
 #include "lattice/border_coder.h"
 #include "part/container.h"
-#include "states/stream_models.h"
 
 namespace deltamesh {
 
@@ -33,10 +32,8 @@ struct MapCodec::State {
 
   /// `base`: that the part is coded beside, if any.
   PartPlace place_of(const PartKey& key, const MapPart* base = nullptr) const noexcept {
-    const auto& streams = models.back().streams;
-    const auto* const voxels = streams && streams->models().voxels ? &*streams->models().voxels : nullptr;
     const std::size_t known = base != nullptr ? base->mesh.vertex_count() + base->mesh.triangle_count() : 0;
-    return {description, description_hash, key, voxels, known};
+    return {description, description_hash, key, known};
   }
 };
 

@@ -47,7 +47,7 @@ bool are_flags_valid(const PartPlace& place, std::uint8_t flags) noexcept {
   if ((flags & (kFlagPrimer | kFlagBits)) != 0 || are_reserved_flags_set(flags)) return false;
   if ((flags & kFlagGrid) == 0) return true;
   constexpr unsigned kOfLattices = kFlagLongSteps | kFlagThreeSteps | kFlagLatticeOrigin;
-  return place.voxels != nullptr && (flags & kOfLattices) == 0 &&
+  return place.description.grid && (flags & kOfLattices) == 0 &&
          static_cast<Geometry>(flags >> kGeometryShift) == Geometry::kVoxel;
 }
 
@@ -145,6 +145,10 @@ std::optional<std::size_t> primer_of(std::span<const std::byte> octets) noexcept
 
 Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> bytes) {
   DELTAMESH_TRY(const auto covered, check_part(place, bytes));
+  return open_covered_part(place, covered);
+}
+
+Result<OpenedPart> open_covered_part(const PartPlace& place, std::span<const std::byte> covered) {
   ByteReader in(covered);
   DELTAMESH_TRY(const auto flags, in.read<std::uint8_t>());
   if (flags == kFlagPrimer) {

@@ -4,6 +4,7 @@
 // A part's octets: a stream without what the map's message says [MAP-7].
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,7 +14,6 @@
 #include "deltamesh/map/description.h"
 #include "deltamesh/map/part_key.h"
 #include "deltamesh/result.h"
-#include "format/predictive_parameters.h"
 
 namespace deltamesh {
 
@@ -22,8 +22,6 @@ struct PartPlace {
   const MapDescription& description;
   std::uint64_t description_hash;  ///< hash_of(description)
   PartKey key;
-  /// Parameters of the last primer if it has voxel edges, else null.
-  const PredictiveParameters* voxels = nullptr;
   /// Vertices and triangles of the base that the part is coded beside, if any.
   std::uint64_t known_elements = 0;
 };
@@ -43,6 +41,11 @@ Result<std::vector<std::byte>> write_part(const PartPlace& place, std::span<cons
 /// [MAP-7].
 std::uint32_t part_checksum(const PartPlace& place, std::span<const std::byte> bytes);
 
+/// Octets of a part, or of none, but for their checksum.
+inline std::span<const std::byte> without_checksum(std::span<const std::byte> octets) noexcept {
+  return octets.first(octets.size() - std::min(octets.size(), sizeof(std::uint32_t)));
+}
+
 struct OpenedPart {
   std::vector<std::byte> stream;      ///< with figures of 0
   std::optional<std::size_t> primer;  ///< which of the description's the part is
@@ -52,5 +55,7 @@ struct OpenedPart {
 /// Takes memory in proportion to the bytes. Errors: kTruncated, kCorrupt, kInvalidStream [MAP-7],
 /// kUnsupportedFeature.
 Result<OpenedPart> open_part(const PartPlace& place, std::span<const std::byte> bytes);
+/// The same of octets without their checksum, which another one covers.
+Result<OpenedPart> open_covered_part(const PartPlace& place, std::span<const std::byte> covered);
 
 }  // namespace deltamesh

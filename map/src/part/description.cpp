@@ -11,6 +11,15 @@
 
 namespace deltamesh {
 
+namespace {
+
+bool is_valid(const VoxelGrid& grid) noexcept {
+  return std::ranges::all_of(grid.origin, [](double x) { return std::isfinite(x); }) &&
+         std::ranges::all_of(grid.edge, [](double x) { return std::isfinite(x) && x > 0; });
+}
+
+}  // namespace
+
 Result<void> validate(const MapDescription& description) noexcept {
   const MapLattice& lattice = description.lattice;
   if (!std::ranges::all_of(lattice.origin, [](double x) { return std::isfinite(x); }))
@@ -22,6 +31,9 @@ Result<void> validate(const MapDescription& description) noexcept {
   if (!std::ranges::all_of(description.cell_origin,
                            [](std::int32_t x) { return x >= -kMostLatticeSteps && x <= kMostLatticeSteps; }))
     return invalid_argument("the origin of cells is 2^24 steps or more off", "MAP-3");
+  if (description.grid && !is_valid(*description.grid))
+    return invalid_argument("a grid whose origin or edges are not finite, or whose edges are not above 0",
+                            "MAP-5");
   if (description.frame.size() > kMostNameBytes)
     return invalid_argument("the name of the frame has more than 255 bytes", "MAP-5");
   if (description.attributes.size() > kMostMapAttributes)

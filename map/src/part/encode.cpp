@@ -34,8 +34,9 @@ constexpr int kTrials = 2;
 
 /// `share`: of the quality's bounds. Where nothing is said of colours they are exact: a part alone does not
 /// tell labels from photographs.
-EncodeOptions options_for(const PartQuality& quality, double share = 1) {
+EncodeOptions options_for(const MapDescription& description, const PartQuality& quality, double share = 1) {
   EncodeOptions options;
+  options.grid = description.grid;
   options.quality = quality.bounds;
   for (auto* bound : {&options.quality.vde, &options.quality.lfe, &options.quality.max_error})
     if (*bound) (*bound)->value *= share;
@@ -112,7 +113,7 @@ class PartEncoder {
                      .trials = kTrials});
     std::optional<PartCandidate> best;
     for (int i = 0; !bracket.is_done(); ++i) {
-      EncodeOptions options = options_for(quality_, bracket.setting());
+      EncodeOptions options = options_for(state_.description, quality_, bracket.setting());
       options.known = known();
       if (i > kTrials) options.geometry = GeometryCoder::kPredictive;
       DELTAMESH_TRY(PartCandidate candidate, code(options));
@@ -212,7 +213,7 @@ Result<MapPrimer> make_primer(const MapCodec& codec, const MapPart& part, const 
   const MapCodec::State& state = codec.state();
   DELTAMESH_CHECK(check_part(part, state.description));
   const CodecModels& models = state.models.back();
-  EncodeOptions options = options_for(quality);
+  EncodeOptions options = options_for(state.description, quality);
   options.starting_states = models.start();
   const Mesh mesh = with_border_colors(part, quality.attributes);
   MeshView source(mesh);

@@ -15,7 +15,7 @@ namespace deltamesh {
 
 // Bits of the flags that streams use otherwise [MAP-7].
 inline constexpr std::uint8_t kFlagPrimer = kFlagKeepsOrder;  ///< the part is a primer
-inline constexpr std::uint8_t kFlagGrid = kFlagOrigin;        ///< the voxels are the last primer's
+inline constexpr std::uint8_t kFlagGrid = kFlagOrigin;        ///< the voxels are those of the map's grid
 inline constexpr std::uint8_t kFlagPatched = kFlagBits;       ///< a base and a patch follow [MAP-17]
 
 /// The expected `first` of a lattice with `step` and `origin`: the point at the lowest corner of the part's
@@ -53,11 +53,10 @@ void visit_part_lattice(Visitor& visit, std::uint8_t flags, const PartPlace& pla
   }
 }
 
-/// The lattice of `levels` on the grid of `voxels`, but for where it begins and ends.
-inline PositionLattice lattice_on_grid(const PredictiveParameters& voxels, std::uint32_t levels) noexcept {
-  PositionLattice lattice{.origin = voxels.lattice.origin};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    lattice.step[axis] = 2.0 * voxels.levels * voxels.lattice.step[axis] / (2.0 * levels);
+/// The lattice of `levels` on `grid`, but for where it begins and ends.
+inline PositionLattice lattice_on_grid(const VoxelGrid& grid, std::uint32_t levels) noexcept {
+  PositionLattice lattice{.origin = grid.origin};
+  for (std::size_t axis = 0; axis < 3; ++axis) lattice.step[axis] = grid.edge[axis] / (2.0 * levels);
   return lattice;
 }
 
@@ -67,7 +66,7 @@ void visit_on_grid(Visitor& visit, const PartPlace& place, Parameters& p) {
   visit.varint(p.levels);
   const std::uint32_t levels = std::clamp<std::uint32_t>(p.levels, 1, kMostLevels);  // else beyond [HDR-14]
   const std::int64_t voxel = 2 * std::int64_t{levels};
-  PositionLattice lattice = lattice_on_grid(*place.voxels, levels);
+  PositionLattice lattice = lattice_on_grid(*place.description.grid, levels);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::int64_t before =
         first_of_cell(place, axis, lattice.origin[axis], static_cast<double>(voxel) * lattice.step[axis]);
@@ -86,9 +85,9 @@ void visit_on_grid(Visitor& visit, const PartPlace& place, Parameters& p) {
 
 /// Whether visit_on_grid() says all of the lattice.
 inline bool is_on_grid(const PartPlace& place, const FileHeader& h) noexcept {
-  if (place.voxels == nullptr || geometry_of(h) != Geometry::kVoxel) return false;
+  if (!place.description.grid || geometry_of(h) != Geometry::kVoxel) return false;
   const PositionLattice& lattice = h.predictive.lattice;
-  const PositionLattice given = lattice_on_grid(*place.voxels, h.predictive.levels);
+  const PositionLattice given = lattice_on_grid(*place.description.grid, h.predictive.levels);
   const std::int64_t voxel = 2 * std::int64_t{h.predictive.levels};
   bool is_on = lattice.origin == given.origin && lattice.step == given.step;
   for (std::size_t axis = 0; axis < 3; ++axis)

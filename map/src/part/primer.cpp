@@ -123,6 +123,8 @@ Result<MapDescription> with_primers(MapDescription description, std::span<const 
   return guarded([&]() -> Result<MapDescription> {
     description.primers.clear();
     if (parts.empty()) return description;
+    const auto triangles = [](const MapPart& part) { return part.mesh.triangle_count(); };
+    if (!description.grid) description.grid = find_grid(std::ranges::max_element(parts, {}, triangles)->mesh);
     return PrimerSearch(std::move(description), parts, quality).run();
   });
 }

@@ -32,8 +32,9 @@ Result<PatchedOctets> divide_patched(std::span<const std::byte> octets);
 std::vector<std::byte> join_patched(const PatchedOctets& parts);
 
 struct PatchBody {
-  std::span<const std::byte> plan;      ///< empty: `inserted` is the whole part, beside the base
-  std::span<const std::byte> inserted;  ///< octets of a part without patches; empty: nothing is inserted
+  std::span<const std::byte> plan;  ///< empty: `inserted` is the whole part, beside the base
+  /// Octets of a part without patches, but for their checksum; empty: nothing is inserted.
+  std::span<const std::byte> inserted;
 };
 /// With a checksum, also of the base and the place.
 std::vector<std::byte> write_body(const PartPlace& place, std::uint64_t base_hash, const PatchBody& body);

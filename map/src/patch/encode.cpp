@@ -42,7 +42,8 @@ Result<std::optional<DecodedPart>> encode_beside(const MapCodec::State& state, c
                                                  const PartQuality& quality) {
   DELTAMESH_TRY(DecodedPart part, encode_part(state, source, quality, {.base = &base}));
   if (!part.is_grid) return std::optional<DecodedPart>();
-  part.coded.bytes = write_body(state.place_of(source.key), base_hash, {{}, part.coded.bytes});
+  part.coded.bytes =
+      write_body(state.place_of(source.key), base_hash, {{}, without_checksum(part.coded.bytes)});
   return std::optional(std::move(part));
 }
 
@@ -84,7 +85,8 @@ Result<std::optional<DecodedPart>> encode_patch(const MapCodec::State& state, co
   const auto& rms = quality.attributes.color_rms;
   if (rms && patched.coded.color_rms > kMeanTolerance * *rms) return std::optional<DecodedPart>();
   const auto coded_plan = write_patch_plan(base.part.mesh, inserted.part.mesh, std::move(plan));
-  patched.coded.bytes = write_body(state.place_of(source.key), base_hash, {coded_plan, inserted.coded.bytes});
+  patched.coded.bytes =
+      write_body(state.place_of(source.key), base_hash, {coded_plan, without_checksum(inserted.coded.bytes)});
   return std::optional(std::move(patched));
 }
 

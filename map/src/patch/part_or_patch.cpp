@@ -19,10 +19,8 @@
 namespace deltamesh {
 namespace {
 
-Result<MapPart> decode_whole(const MapCodec::State& state, const PartKey& key,
-                             std::span<const std::byte> octets, const DecodeOptions& options,
-                             const MapPart* base = nullptr) {
-  DELTAMESH_TRY(const OpenedPart opened, open_part(state.place_of(key, base), octets));
+Result<MapPart> decode_opened(const MapCodec::State& state, const PartKey& key, const OpenedPart& opened,
+                              const DecodeOptions& options, const MapPart* base = nullptr) {
   MapPart part;
   part.key = key;
   const CodecModels& models = opened.primer ? state.models[*opened.primer] : state.models.back();
@@ -40,6 +38,14 @@ Result<MapPart> decode_whole(const MapCodec::State& state, const PartKey& key,
   return part;
 }
 
+/// Of a patch.
+Result<MapPart> decode_inserted(const MapCodec::State& state, const PartKey& key,
+                                std::span<const std::byte> octets, const DecodeOptions& options,
+                                const MapPart* base = nullptr) {
+  DELTAMESH_TRY(const OpenedPart opened, open_covered_part(state.place_of(key, base), octets));
+  return decode_opened(state, key, opened, options, base);
+}
+
 }  // namespace
 
 Result<MapPart> apply_patch(const MapCodec::State& state, const PartKey& key, const MapPart& base,
@@ -47,10 +53,10 @@ Result<MapPart> apply_patch(const MapCodec::State& state, const PartKey& key, co
                             const DecodeOptions& options) {
   DELTAMESH_TRY(const PatchBody opened, open_body(state.place_of(key), base_hash, body));
   if (opened.plan.empty() && opened.inserted.empty()) return broken_patch("a patch without anything");
-  if (opened.plan.empty()) return decode_whole(state, key, opened.inserted, options, &base);
+  if (opened.plan.empty()) return decode_inserted(state, key, opened.inserted, options, &base);
   MapPart inserted;
   if (!opened.inserted.empty()) {
-    DELTAMESH_TRY(inserted, decode_whole(state, key, opened.inserted, options));
+    DELTAMESH_TRY(inserted, decode_inserted(state, key, opened.inserted, options));
   }
   if (!base.mesh.face_groups.empty() || !inserted.mesh.face_groups.empty())
     return broken_patch("a patch with groups of faces");
@@ -72,7 +78,8 @@ Result<MapPart> decode_part(const MapCodec::State& state, const PartKey& key,
     patches.push_back({of, divided});
     of = divided.base_key;
   }
-  DELTAMESH_TRY(MapPart part, decode_whole(state, of, octets, options));
+  DELTAMESH_TRY(const OpenedPart whole, open_part(state.place_of(of), octets));
+  DELTAMESH_TRY(MapPart part, decode_opened(state, of, whole, options));
   for (; !patches.empty(); patches.pop_back()) {
     const auto& [base_key, base, body] = patches.back().octets;
     const std::uint64_t hash = XXH3_64bits(base.data(), base.size());

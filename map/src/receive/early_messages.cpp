@@ -25,9 +25,9 @@ void EarlyMessages::keep(std::uint64_t number, EarlyMessage&& message) {
 }
 
 std::optional<std::vector<std::byte>> EarlyMessages::take(
-    const std::function<bool(const PartKey&, std::uint64_t)>& is_known) {
-  const auto found = std::ranges::find_if(
-      messages_, [&](const auto& entry) { return is_known(entry.second.base_key, entry.second.base); });
+    const std::function<bool(const EarlyMessage&)>& is_known) {
+  const auto found =
+      std::ranges::find_if(messages_, [&](const auto& entry) { return is_known(entry.second); });
   if (found == messages_.end()) return std::nullopt;
   std::vector<std::byte> bytes = std::move(found->second.bytes);
   octets_ -= bytes.size();
@@ -36,7 +36,7 @@ std::optional<std::vector<std::byte>> EarlyMessages::take(
 }
 
 bool EarlyMessages::need(const PartKey& key) const {
-  return std::ranges::any_of(messages_, [&](const auto& entry) { return entry.second.base_key == key; });
+  return std::ranges::any_of(messages_, [&](const auto& entry) { return entry.second.base == key; });
 }
 
 void EarlyMessages::clear() {

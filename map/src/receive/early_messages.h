@@ -18,8 +18,8 @@ namespace deltamesh {
 
 /// A patch, or an entry of octets that have not come.
 struct EarlyMessage {
-  PartKey base_key{};  ///< of the part with these octets
-  std::uint64_t base = 0;
+  PartKey base{};                         ///< the part whose octets have not come
+  std::optional<std::uint64_t> octets{};  ///< xxh3-64 of these; of a patch its checksum tells them
   std::vector<std::byte> bytes{};
 };
 
@@ -28,8 +28,7 @@ class EarlyMessages {
   /// Keeps a message, in place of the earliest where they become too many.
   void keep(std::uint64_t number, EarlyMessage&& message);
   /// Takes out the earliest whose octets have come; null if there is none.
-  std::optional<std::vector<std::byte>> take(
-      const std::function<bool(const PartKey&, std::uint64_t)>& is_known);
+  std::optional<std::vector<std::byte>> take(const std::function<bool(const EarlyMessage&)>& is_known);
   /// Whether a message needs octets of this part.
   bool need(const PartKey& key) const;
   void clear();

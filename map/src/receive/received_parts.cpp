@@ -32,8 +32,13 @@ const ReceivedPart* ReceivedParts::find(const PartKey& key) const noexcept {
 }
 
 std::shared_ptr<const PartContent> ReceivedParts::content(const PartKey& key, std::uint64_t hash) const {
+  return content(key, [hash](std::uint64_t other) { return other == hash; });
+}
+
+std::shared_ptr<const PartContent> ReceivedParts::content(
+    const PartKey& key, const std::function<bool(std::uint64_t)>& is_hash) const {
   const auto is_it = [&](const std::shared_ptr<const PartContent>& content) {
-    return content && content->hash == hash && content->part.key == key;
+    return content && content->part.key == key && is_hash(content->hash);
   };
   if (const ReceivedPart* part = find(key); part != nullptr) {
     if (part->shown && is_it(part->shown->content)) return part->shown->content;

@@ -149,16 +149,29 @@ Result<void> MapReceiver::State::apply_part(std::span<const std::byte> message) 
   return take(part.key, {part.revision, part.group, std::move(part.links), nullptr}, part.octets);
 }
 
+/// Null: it has not come, or is gone.
+std::shared_ptr<const PartContent> MapReceiver::State::find_base(const PatchMessage& patch) const {
+  const PartPlace place = codec->state().place_of(patch.part.key);
+  return parts.content(patch.base_key,
+                       [&](std::uint64_t hash) { return open_body(place, hash, patch.body).has_value(); });
+}
+
+bool MapReceiver::State::has_base(const EarlyMessage& early) const {
+  if (early.octets) return parts.content(early.base, *early.octets) != nullptr;
+  const auto patch = read_patch(early.bytes);
+  return patch && find_base(*patch) != nullptr;
+}
+
 /// Without the version that the patch is for it is kept until that comes.
 Result<void> MapReceiver::State::apply_patch(std::span<const std::byte> message) {
   DELTAMESH_TRY(PatchMessage patch, read_patch(message));
   DELTAMESH_CHECK(check_map(patch.part.map));
   const PartKey& key = patch.part.key;
   if (!is_mine(patch.part.start, patch.part.number) || !is_of_use(key, patch.part.revision)) return {};
-  const auto base = parts.content(patch.base_key, patch.base);
+  const auto base = find_base(patch);
   if (base == nullptr) {
     if (patch.part.number != 0)
-      early.keep(patch.part.number, {patch.base_key, patch.base, {message.begin(), message.end()}});
+      early.keep(patch.part.number, {patch.base_key, std::nullopt, {message.begin(), message.end()}});
     return {};
   }
   std::vector<std::byte> octets = join_patched({patch.base_key, base->octets, patch.body});

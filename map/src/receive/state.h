@@ -13,6 +13,7 @@
 
 #include "deltamesh/map/fragment.h"
 #include "deltamesh/map/map_codec.h"
+#include "deltamesh/map/messages.h"
 #include "deltamesh/map/receiver.h"
 #include "receive/arrivals.h"
 #include "receive/early_messages.h"
@@ -66,6 +67,8 @@ struct MapReceiver::State {
   Result<std::vector<std::byte>> view_message();
   Result<std::vector<std::byte>> receipt_message();
   Result<void> check_map(std::uint64_t hash) const;
+  std::shared_ptr<const PartContent> find_base(const PatchMessage& patch) const;
+  bool has_base(const EarlyMessage& early) const;
   bool is_new(const PartKey& key, std::uint64_t revision) const;
   bool is_of_use(const PartKey& key, std::uint64_t revision) const;
   void settle();

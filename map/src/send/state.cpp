@@ -104,7 +104,7 @@ Result<void> MapSender::State::make_version(const PartKey& key, ChosenVersion ch
                       .links = std::move(links)};
   if (chosen.is_patch) {
     ++counts.patches_sent;
-    return add(write_patch({std::move(message), encoding->base_key, encoding->base_hash, encoding->patch}));
+    return add(write_patch({std::move(message), encoding->base_key, encoding->patch}));
   }
   message.octets = encoding->octets;
   return add(write_part(message));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -57,17 +58,41 @@ std::int64_t floor_div(std::int64_t a, std::int64_t b) noexcept {
   return a / b - (a % b != 0 && a < 0 ? 1 : 0);
 }
 
-Cell0 cell_of_face(const Mesh& mesh, std::size_t face, const MapDescription& description) noexcept {
-  std::array<std::int64_t, 3> sum{};
+/// Of the cube that `position` is in.
+std::array<float, 3> middle_of_cube(const VoxelGrid& grid, const std::array<double, 3>& position) noexcept {
+  std::array<float, 3> middle{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double cube = std::floor((position[k] - grid.origin[k]) / grid.edge[k]);
+    middle[k] = static_cast<float>(grid.origin[k] + (cube + 0.5) * grid.edge[k]);
+  }
+  return middle;
+}
+
+/// Three lattice points whose mean decides about a face [MAP-4]: of its corners, or thrice of its cube.
+std::array<LatticePoint, 3> points_of_face(const Mesh& mesh, std::size_t face,
+                                           const MapDescription& description) noexcept {
+  const MapLattice& lattice = description.lattice;
+  std::array<LatticePoint, 3> points{};
+  std::array<double, 3> centroid{};
   for (std::size_t c = 0; c < 3; ++c) {
     const float* p = mesh.positions.data() + 3 * std::size_t{mesh.triangles[3 * face + c]};
-    const LatticePoint point = description.lattice.nearest({p[0], p[1], p[2]});
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += point[k];
+    points[c] = lattice.nearest({p[0], p[1], p[2]});
+    for (std::size_t k = 0; k < 3; ++k) centroid[k] += double{p[k]} / 3;
   }
+  if (!description.grid) return points;
+  const auto middle = middle_of_cube(*description.grid, centroid);
+  if (lattice.is_within(middle)) points.fill(lattice.nearest(middle));
+  return points;
+}
+
+Cell0 cell_of_face(const Mesh& mesh, std::size_t face, const MapDescription& description) noexcept {
+  const auto [a, b, c] = points_of_face(mesh, face, description);
   Cell0 cell{};
-  for (std::size_t k = 0; k < 3; ++k)
-    cell[k] = static_cast<std::int32_t>(floor_div(sum[k] - 3 * std::int64_t{description.cell_origin[k]},
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int64_t sum = std::int64_t{a[k]} + b[k] + c[k];
+    cell[k] = static_cast<std::int32_t>(floor_div(sum - 3 * std::int64_t{description.cell_origin[k]},
                                                   3 * std::int64_t{description.cell_steps}));
+  }
   return cell;
 }
 

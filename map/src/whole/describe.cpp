@@ -46,15 +46,14 @@ QualityRequest request_of(const MeshView& mesh, const QualityRequest& asked) {
   return request;
 }
 
-Result<MapDescription> describe_map(const std::array<double, 3>& origin,
-                                    std::span<const AttributeView> attributes, const MapSettings& settings,
-                                    const QualityRequest& request, int finer) {
-  MapDescription description{.id = settings.id, .frame = settings.frame};
+Result<MapDescription> describe_map(const MeshView& mesh, const std::optional<VoxelGrid>& grid,
+                                    const MapSettings& settings, const QualityRequest& request, int finer) {
+  MapDescription description{.id = settings.id, .frame = settings.frame, .grid = grid};
   const double least = least_bound(request);
   if (!std::isfinite(least) || !(least > 0))
     return Error{.code = ErrorCode::kInvalidArgument,
                  .message = "a mesh without extent needs bounds in model units, not in percent"};
-  description.lattice = {.origin = origin,
+  description.lattice = {.origin = mesh.origin,
                          .step_exponent = std::max(step_exponent_for(least) - finer, kLeastStepExponent)};
   const double steps =
       std::round(std::ldexp(settings.part_edge, -kLevelsOfParts) / description.lattice.step());
@@ -73,7 +72,7 @@ Result<MapDescription> describe_map(const std::array<double, 3>& origin,
   // Floors and walls are often at 0: a third of a cell, on every level, from where cells meet.
   const std::int64_t third = (std::int64_t{description.cell_steps} << kLevelsOfParts) / 3;
   description.cell_origin.fill(-static_cast<std::int32_t>(std::min<std::int64_t>(third, kMostLatticeSteps)));
-  for (const AttributeView& a : attributes)
+  for (const AttributeView& a : mesh.attributes)
     description.attributes.push_back(
         {a.kind, a.type, a.components, a.normalized, std::string(a.name), a.linear});
   return description;

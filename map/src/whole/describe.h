@@ -21,10 +21,10 @@ Box box_of(std::span<const float> positions) noexcept;
 /// Bounds in model units, or those that encode() has for the whole mesh.
 QualityRequest request_of(const MeshView& mesh, const QualityRequest& asked);
 
-/// Without primers. `request`: in model units, not empty. `finer`: how often the lattice's step is half of
-/// what suits it. Errors: kInvalidArgument.
-Result<MapDescription> describe_map(const std::array<double, 3>& origin,
-                                    std::span<const AttributeView> attributes, const MapSettings& settings,
-                                    const QualityRequest& request, int finer);
+/// Of a map that begins with `mesh`, without primers. `grid`: that the mesh was cut from, if any. `request`:
+/// in model units, not empty. `finer`: how often the lattice's step is half of what suits it. Errors:
+/// kInvalidArgument.
+Result<MapDescription> describe_map(const MeshView& mesh, const std::optional<VoxelGrid>& grid,
+                                    const MapSettings& settings, const QualityRequest& request, int finer);
 
 }  // namespace deltamesh

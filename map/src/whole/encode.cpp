@@ -37,6 +37,16 @@ int steps_finer(const MapDescription& state, const MapDescription& suited) noexc
   return finer > 0 && finer <= kMostFiner ? finer : 0;
 }
 
+/// The map's, unless the mesh is on another one.
+std::optional<VoxelGrid> grid_of(const MeshView& mesh, const MapState* before) {
+  std::optional<VoxelGrid> known;
+  if (before != nullptr && before->manifest.description.lattice.origin == mesh.origin)
+    known = before->manifest.description.grid;
+  if (known && is_on_grid(*known, mesh)) return known;
+  const auto found = find_grid(mesh);
+  return found ? found : known;
+}
+
 std::vector<PartKey> keys_of(std::span<const MapPart> parts) {
   std::vector<PartKey> keys;
   for (const MapPart& part : parts) keys.push_back(part.key);
@@ -156,8 +166,9 @@ Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
     const Mesh moved =
         before != nullptr ? moved_to(before->manifest.description.lattice.origin, mesh) : Mesh();
     const MeshView placed = moved.positions.empty() ? mesh : with_positions_of(moved, mesh);
+    const std::optional<VoxelGrid> grid = grid_of(placed, before);
     const auto describe = [&](int finer) {
-      return describe_map(placed.origin, mesh.attributes, settings, quality.bounds, finer);
+      return describe_map(placed, grid, settings, quality.bounds, finer);
     };
     DELTAMESH_TRY(MapDescription description, describe(0));
     int finer = before != nullptr ? steps_finer(before->manifest.description, description) : 0;

@@ -19,20 +19,19 @@ namespace deltamesh {
 /// Where a mesh is.
 struct MeshReach {
   Box box;
-  double longest = 0;  ///< largest extent of a face along an axis
+  double overhang = 0;  ///< how far faces reach out of their cells, along an axis
 };
 
 namespace {
 
-MeshReach reach_of(const Mesh& mesh) {
+MeshReach reach_of(const Mesh& mesh, const StoredBlocks& blocks, const MapDescription& description) {
   MeshReach reach{.box = box_of(mesh.positions)};
-  for (std::size_t f = 0; f < mesh.triangle_count(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax({mesh.positions[3 * std::size_t{mesh.triangles[3 * f]} + k],
-                                            mesh.positions[3 * std::size_t{mesh.triangles[3 * f + 1]} + k],
-                                            mesh.positions[3 * std::size_t{mesh.triangles[3 * f + 2]} + k]});
-      reach.longest = std::max(reach.longest, double{high} - low);
-    }
+  for (const auto& [cell, block] : blocks) {
+    const CellCube cube = cube_of(key_of(cell), description);
+    const Box box = box_of(block.mesh.positions);
+    for (std::size_t k = 0; k < 3; ++k)
+      reach.overhang =
+          std::max({reach.overhang, cube.low[k] - box.min[k], box.max[k] - (cube.low[k] + cube.edge)});
   }
   return reach;
 }
@@ -54,17 +53,16 @@ struct TilePlanner::State {
   Octree octree{};
   ColorContent colors{};
 
-  /// Faces in the tile come from meshes that touch it, and reach out of it by no more than they are long;
-  /// what has positions at the same lattice points touches that.
+  /// Faces in the tile come from meshes that touch it; what has positions at the same lattice points touches
+  /// these faces.
   std::vector<std::uint32_t> meshes_of(const PartKey& cell) const {
     const CellCube cube = cube_of(cell, description);
-    const double step = description.lattice.step();
-    double longest = 0;
+    double overhang = 0;
     for (const MeshReach& reach : reaches)
-      if (touches(reach.box, cube, step)) longest = std::max(longest, reach.longest);
+      if (touches(reach.box, cube, reach.overhang)) overhang = std::max(overhang, reach.overhang);
     std::vector<std::uint32_t> meshes;
     for (std::uint32_t i = 0; i < reaches.size(); ++i)
-      if (touches(reaches[i].box, cube, longest + 2 * step)) meshes.push_back(i);
+      if (touches(reaches[i].box, cube, overhang + description.lattice.step())) meshes.push_back(i);
     return meshes;
   }
 };
@@ -98,16 +96,16 @@ Result<void> TilePlanner::add(const MeshView& mesh) noexcept {
     State& state = *state_;
     MapDescription description = state.description;
     if (state.reaches.empty()) {
-      DELTAMESH_TRY(description, describe_map(mesh.origin, mesh.attributes, state.settings,
-                                              state.settings.quality.bounds, 0));
+      DELTAMESH_TRY(description,
+                    describe_map(mesh, find_grid(mesh), state.settings, state.settings.quality.bounds, 0));
     }
     DELTAMESH_TRY(Mesh moved, to_map(mesh, description));
     const StoredBlock whole = store_block(std::move(moved));
     DELTAMESH_CHECK(state.colors.add(mesh));
-    for (const auto& [cell, block] : blocks_of(whole.mesh, description))
-      state.octree.add(cell, block.mesh.triangle_count());
+    const StoredBlocks blocks = blocks_of(whole.mesh, description);
+    for (const auto& [cell, block] : blocks) state.octree.add(cell, block.mesh.triangle_count());
+    state.reaches.push_back(reach_of(whole.mesh, blocks, description));
     state.description = std::move(description);
-    state.reaches.push_back(reach_of(whole.mesh));
     state.hashes.push_back(whole.hash);
     return {};
   });

@@ -54,7 +54,7 @@ TEST(VoxelFit, TheGridIsFound) {
   EXPECT_GT(same.in_cubes, 0.95);
   const test::GraphMesh sheet = test::sheet(20, 20);
   const auto heights = fit_voxels(AxisValues(sheet.positions), sheet.box);
-  EXPECT_TRUE(!heights || heights->is_along_one_axis);
+  EXPECT_TRUE(!heights || heights->along_one_axis == 1);
   EXPECT_FALSE(fit_voxels(AxisValues({}), {}));
 }
 
@@ -94,26 +94,8 @@ Mesh gentle_ground() {
   return mesh;
 }
 
-TEST(VoxelFit, GentleGroundIsOnEdgesAlongOneAxis) {
-  const Mesh mesh = gentle_ground();
-  Points points;
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
-    points.add({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
-  const AxisValues values(points.positions);
-  const auto fit = fit_voxels(values, points.box);
-  ASSERT_TRUE(fit);
-  EXPECT_TRUE(fit->is_along_one_axis);
-  const auto given = fit_to_grid(*fit, values, points.box);
-  ASSERT_TRUE(given);
-  EXPECT_TRUE(given->is_along_one_axis);
-  EXPECT_GT(for_most_faces(*given, values, mesh.triangles).in_cubes, 0.5);
-}
-
-TEST(VoxelFit, GentleGroundIsCodedInCubesAndHeightsOnALattice) {
-  const auto ground = encode(gentle_ground(), {.quality = {.max_error = QualityBound{0.002}}});
-  ASSERT_TRUE(ground);
-  EXPECT_EQ(ground->report.stream.geometry, "grid");
-  // Heights in quarters of the distance of their grid.
+/// Heights in quarters of the distance of their grid.
+Mesh stepped_heights() {
   Mesh heights;
   const test::GraphMesh sheet = test::sheet(60, 60);
   heights.triangles.assign(sheet.triangles.begin(), sheet.triangles.end());
@@ -123,7 +105,44 @@ TEST(VoxelFit, GentleGroundIsCodedInCubesAndHeightsOnALattice) {
     for (const float at : {x, y, std::round(4 * (3 * std::sin(x / 15) + 2 * std::cos(y / 11))) / 4})
       heights.positions.push_back(at);
   }
-  const auto on_lattice = encode(heights, {.quality = {.max_error = QualityBound{0.1}}});
+  return heights;
+}
+
+TEST(FindGrid, OfVoxelsButNotOfHeightsOrAnythingElse) {
+  const Mesh rooms = *generate_scene(Scene::kRooms, 3000, 3);
+  const auto grid = find_grid(rooms);
+  ASSERT_TRUE(grid);
+  EXPECT_NEAR(grid->edge[0], grid->edge[2], 1e-6);
+  EXPECT_TRUE(is_on_grid(*grid, rooms));
+  VoxelGrid other = *grid;
+  for (double& edge : other.edge) edge *= 0.37;
+  EXPECT_FALSE(is_on_grid(other, rooms));
+  EXPECT_FALSE(is_on_grid(*grid, Mesh()));
+  EXPECT_FALSE(find_grid(stepped_heights()));
+  EXPECT_FALSE(find_grid(*generate_scene(Scene::kSphere, 3000, 1)));
+  EXPECT_FALSE(find_grid(Mesh()));
+}
+
+TEST(VoxelFit, GentleGroundIsOnEdgesAlongOneAxis) {
+  const Mesh mesh = gentle_ground();
+  Points points;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+    points.add({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
+  const AxisValues values(points.positions);
+  const auto fit = fit_voxels(values, points.box);
+  ASSERT_TRUE(fit);
+  EXPECT_GT(fit->along_one_axis, 0.9);
+  const auto given = fit_to_grid({fit->origin, fit->voxel}, values, points.box);
+  ASSERT_TRUE(given);
+  EXPECT_GT(given->along_one_axis, 0.9);
+  EXPECT_GT(for_most_faces(*given, values, mesh.triangles).in_cubes, 0.5);
+}
+
+TEST(VoxelFit, GentleGroundIsCodedInCubesAndHeightsOnALattice) {
+  const auto ground = encode(gentle_ground(), {.quality = {.max_error = QualityBound{0.002}}});
+  ASSERT_TRUE(ground);
+  EXPECT_EQ(ground->report.stream.geometry, "grid");
+  const auto on_lattice = encode(stepped_heights(), {.quality = {.max_error = QualityBound{0.1}}});
   ASSERT_TRUE(on_lattice);
   EXPECT_EQ(on_lattice->report.stream.geometry, "predictive");
 }

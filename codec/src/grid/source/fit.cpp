@@ -15,7 +15,6 @@ namespace deltamesh {
 namespace {
 
 constexpr double kFewestOnEdges = 0.2;
-constexpr double kMostAlongOneAxis = 0.9;
 constexpr std::size_t kFewestEqual = 4;  ///< coordinates that make a plane of voxels
 
 /// Whether most planes that are a few distances apart are whole distances apart.
@@ -92,7 +91,7 @@ std::optional<VoxelFit> with_share(VoxelFit fit, const AxisValues& values) {
   fit.share = static_cast<double>(inside) / static_cast<double>(sampled);
   if (fit.share < kFewestOnEdges) return std::nullopt;
   const std::size_t largest = *std::max_element(along.begin(), along.end());
-  fit.is_along_one_axis = static_cast<double>(largest) > kMostAlongOneAxis * static_cast<double>(inside);
+  fit.along_one_axis = static_cast<double>(largest) / static_cast<double>(inside);
   return fit;
 }
 
@@ -151,11 +150,10 @@ double share_in_cubes(const VoxelFit& fit, std::span<const Vec3> positions,
 
 }  // namespace
 
-std::optional<VoxelFit> fit_to_grid(const VoxelFit& grid, const AxisValues& values, const Box& box) {
+std::optional<VoxelFit> fit_to_grid(const VoxelGrid& grid, const AxisValues& values, const Box& box) {
   if (values.positions().empty()) return std::nullopt;
-  VoxelFit fit = grid;
-  fit.noise = 2 * rounding_noise(box) + 1e-4 * std::min({grid.voxel[0], grid.voxel[1], grid.voxel[2]});
-  fit.is_given = true;
+  const double noise = 2 * rounding_noise(box) + 1e-4 * *std::ranges::min_element(grid.edge);
+  const VoxelFit fit{.origin = grid.origin, .voxel = grid.edge, .noise = noise, .is_given = true};
   return with_share(fit, values);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/numbers/vec3.h"
+#include "deltamesh/voxel_grid.h"
 #include "format/predictive_parameters.h"
 #include "positions/blend/blend.h"
 #include "positions/lattice/axis_values.h"
@@ -17,20 +18,20 @@
 namespace deltamesh {
 
 struct VoxelFit {
-  Vec3 origin{};                   ///< a node at or below the smallest coordinate
-  Vec3 voxel{};                    ///< edge lengths, model units
-  double noise = 0;                ///< how far from a plane a coordinate on it may be
-  double share = 0;                ///< of the vertices on an edge
-  double in_cubes = 0;             ///< share of the faces that lie in a cube, their corners on its edges
-  bool is_along_one_axis = false;  ///< nearly all of these edges are: perhaps heights over a grid
-  bool is_given = false;           ///< `origin` stays that of the lattice, wherever the mesh is
+  Vec3 origin{};              ///< a node at or below the smallest coordinate
+  Vec3 voxel{};               ///< edge lengths, model units
+  double noise = 0;           ///< how far from a plane a coordinate on it may be
+  double share = 0;           ///< of the vertices on an edge
+  double in_cubes = 0;        ///< share of the faces that lie in a cube, their corners on its edges
+  double along_one_axis = 0;  ///< share of these edges along the axis that most have
+  bool is_given = false;      ///< `origin` stays that of the lattice, wherever the mesh is
 };
 
 /// Empty where fewer than a fifth of the sampled vertices are on the edges of one grid. O(n).
 std::optional<VoxelFit> fit_voxels(const AxisValues& values, const Box& box);
 
-/// `grid`, of which origin and voxels are given, as the fit of the mesh; empty as above. O(n).
-std::optional<VoxelFit> fit_to_grid(const VoxelFit& grid, const AxisValues& values, const Box& box);
+/// `grid` as the fit of the mesh; empty as above. O(n).
+std::optional<VoxelFit> fit_to_grid(const VoxelGrid& grid, const AxisValues& values, const Box& box);
 
 /// `fit` with its share of faces, or, unless it is given, the same with cubes of twice the size, in whichever
 /// more faces lie: an octree's are of several sizes, and planes on which coordinates pile up are those of the

@@ -7,12 +7,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "deltamesh/mesh.h"
 #include "deltamesh/result.h"
+#include "deltamesh/voxel_grid.h"
 
 namespace deltamesh {
 
@@ -75,6 +77,9 @@ struct MapDescription {
   /// Low corner of the cell 0, 0, 0: that of a mapper's block, or where borders of cells meet no walls and
   /// floors.
   LatticePoint cell_origin{};
+  /// That meshes were cut from, relative to the map's origin. Parts then say less of theirs, and split()
+  /// keeps the faces of a cube together.
+  std::optional<VoxelGrid> grid{};
   std::vector<MapAttribute> attributes{};  ///< at most 255
   /// At most 255, in all of at most kMostPrimerBytes. Empty: parts begin with fresh models.
   std::vector<MapPrimer> primers{};

@@ -46,10 +46,10 @@ struct PartMessage {
 
 /// A version of a part as a patch of an earlier one, or of a part in whose place it comes [MAP-17].
 struct PatchMessage {
-  PartMessage part{};             ///< without octets
-  PartKey base_key{};             ///< of the part that the base is a version of
-  std::uint64_t base = 0;         ///< xxh3-64 of the earlier version's octets
-  std::vector<std::byte> body{};  ///< what makes octets of those; 1 to kMostPartBytes
+  PartMessage part{};  ///< without octets
+  PartKey base_key{};  ///< of the part that the base is a version of
+  /// What makes octets of the base's, which its checksum tells [MAP-17]; 1 to kMostPartBytes.
+  std::vector<std::byte> body{};
 };
 
 /// Says that a receiver does not get a part as it asked [MAP-22].

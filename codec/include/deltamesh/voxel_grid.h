@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// The grid that a mesh was cut from, as marching cubes does it.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "deltamesh/mesh.h"
+
+namespace deltamesh {
+
+/// Cubes whose corners, the nodes, are `origin` plus whole edges on every axis. All numbers are finite, edges
+/// above 0.
+struct VoxelGrid {
+  std::array<double, 3> origin{};  ///< a node, relative to the mesh's origin, model units
+  std::array<double, 3> edge{};    ///< of the cubes, model units
+
+  bool operator==(const VoxelGrid&) const = default;
+};
+
+/// The grid in whose cubes most faces of the mesh lie. Empty where there is none, and of heights over a grid:
+/// what has next to no vertex on edges of a second axis. Looks at a sample of some
+/// 30,000 vertices. Precondition: check_mesh() finds no fault. O(n).
+std::optional<VoxelGrid> find_grid(const MeshView& mesh);
+
+/// Whether a fair share of the vertices, one in five, is on the grid's edges. As find_grid() otherwise.
+bool is_on_grid(const VoxelGrid& grid, const MeshView& mesh);
+
+}  // namespace deltamesh
