@@ -16,6 +16,7 @@ endfunction()
 set(components decoder)
 deltamesh_install_pkgconfig(deltamesh-decoder)
 install(FILES ${headers}/decode.h ${headers}/known_mesh.h ${headers}/mesh.h ${headers}/model_states.h ${headers}/result.h ${headers}/stream_info.h ${headers}/version.h
+              ${headers}/voxel_grid.h
         DESTINATION ${header_dir})
 if(DELTAMESH_MAP)
   list(APPEND components receiver)
@@ -27,7 +28,7 @@ endif()
 if(NOT DELTAMESH_DECODER_ONLY)
   list(APPEND components codec)
   deltamesh_install_pkgconfig(deltamesh)
-  install(FILES ${headers}/anchor_containers.h ${headers}/attribute_quality.h ${headers}/compare.h ${headers}/encode.h
+  install(FILES ${headers}/anchor_containers.h ${headers}/attribute_quality.h ${headers}/compare.h ${headers}/encode.h ${headers}/find_grid.h
                 ${headers}/quality_request.h
           DESTINATION ${header_dir})
 endif()

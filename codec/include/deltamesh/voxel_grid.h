@@ -5,14 +5,12 @@
 #pragma once
 
 #include <array>
-#include <optional>
-
-#include "deltamesh/mesh.h"
+#include <cmath>
+#include <cstddef>
 
 namespace deltamesh {
 
-/// Cubes whose corners, the nodes, are `origin` plus whole edges on every axis. All numbers are finite, edges
-/// above 0.
+/// Cubes whose corners, the nodes, are `origin` plus whole edges on every axis.
 struct VoxelGrid {
   std::array<double, 3> origin{};  ///< a node, relative to the mesh's origin, model units
   std::array<double, 3> edge{};    ///< of the cubes, model units
@@ -20,12 +18,12 @@ struct VoxelGrid {
   bool operator==(const VoxelGrid&) const = default;
 };
 
-/// The grid in whose cubes most faces of the mesh lie. Empty where there is none, and of heights over a grid:
-/// what has next to no vertex on edges of a second axis. Looks at a sample of some
-/// 30,000 vertices. Precondition: check_mesh() finds no fault. O(n).
-std::optional<VoxelGrid> find_grid(const MeshView& mesh);
-
-/// Whether a fair share of the vertices, one in five, is on the grid's edges. As find_grid() otherwise.
-bool is_on_grid(const VoxelGrid& grid, const MeshView& mesh);
+/// Whether all numbers are finite, and edges above 0.
+inline bool is_valid(const VoxelGrid& grid) noexcept {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(grid.origin[axis]) || !std::isfinite(grid.edge[axis]) || !(grid.edge[axis] > 0))
+      return false;
+  return true;
+}
 
 }  // namespace deltamesh

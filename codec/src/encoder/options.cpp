@@ -83,6 +83,8 @@ Result<void> validate(const EncodeOptions& o) noexcept {
   if (!within(o.effort, 0, 2)) return invalid_option("effort must be 0 to 2");
   if (!is_bound(o.source_error))
     return invalid_option("the source's error must be a finite number of at least 0");
+  if (o.grid && !is_valid(*o.grid))
+    return invalid_option("a grid's numbers must be finite, and its edges above 0");
   DELTAMESH_CHECK(check_steps(o));
   if (o.anchors && *o.anchors == 0) return invalid_option("at least one anchor is needed");
   if (o.anchor_density && (*o.anchor_density < 1 || *o.anchor_density > 65535))

@@ -11,15 +11,6 @@
 
 namespace deltamesh {
 
-namespace {
-
-bool is_valid(const VoxelGrid& grid) noexcept {
-  return std::ranges::all_of(grid.origin, [](double x) { return std::isfinite(x); }) &&
-         std::ranges::all_of(grid.edge, [](double x) { return std::isfinite(x) && x > 0; });
-}
-
-}  // namespace
-
 Result<void> validate(const MapDescription& description) noexcept {
   const MapLattice& lattice = description.lattice;
   if (!std::ranges::all_of(lattice.origin, [](double x) { return std::isfinite(x); }))

@@ -7,6 +7,7 @@
 
 #include "base/guard.h"
 #include "base/try.h"
+#include "deltamesh/find_grid.h"
 #include "deltamesh/map/map_codec.h"
 #include "part/as_primer.h"
 

@@ -156,9 +156,9 @@ std::shared_ptr<const PartContent> MapReceiver::State::find_base(const PatchMess
                        [&](std::uint64_t hash) { return open_body(place, hash, patch.body).has_value(); });
 }
 
-bool MapReceiver::State::has_base(const EarlyMessage& early) const {
-  if (early.octets) return parts.content(early.base, *early.octets) != nullptr;
-  const auto patch = read_patch(early.bytes);
+bool MapReceiver::State::has_base(const EarlyMessage& message) const {
+  if (message.octets) return parts.content(message.base, *message.octets) != nullptr;
+  const auto patch = read_patch(message.bytes);
   return patch && find_base(*patch) != nullptr;
 }
 

@@ -9,6 +9,7 @@
 #include "base/try.h"
 #include "connectivity/check_mesh.h"
 #include "deltamesh/color_content.h"
+#include "deltamesh/find_grid.h"
 #include "deltamesh/map/encode_map.h"
 #include "deltamesh/map/join.h"
 #include "deltamesh/map/map_codec.h"

@@ -7,6 +7,7 @@
 #include "base/guard.h"
 #include "base/try.h"
 #include "deltamesh/color_content.h"
+#include "deltamesh/find_grid.h"
 #include "deltamesh/map/tiles.h"
 #include "part/view_cells.h"
 #include "split/octree.h"

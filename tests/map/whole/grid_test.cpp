@@ -9,6 +9,7 @@
 #include <random>
 #include <span>
 
+#include "deltamesh/find_grid.h"
 #include "deltamesh/map/encode_map.h"
 #include "deltamesh/map/split.h"
 #include "field/marching_cubes.h"

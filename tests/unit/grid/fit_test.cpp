@@ -8,9 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "deltamesh/encode.h"
+#include "deltamesh/find_grid.h"
+#include "format/container.h"
 #include "grid_meshes.h"
 #include "scenes.h"
 #include "support/graph_mesh.h"
@@ -136,6 +139,28 @@ TEST(VoxelFit, GentleGroundIsOnEdgesAlongOneAxis) {
   ASSERT_TRUE(given);
   EXPECT_GT(given->along_one_axis, 0.9);
   EXPECT_GT(for_most_faces(*given, values, mesh.triangles).in_cubes, 0.5);
+}
+
+/// Of a mesh that is on it the stream has the given grid to the bit, wherever it begins.
+TEST(GivenGrid, IsThatOfTheStreamOrOfNoUse) {
+  const Mesh rooms = *generate_scene(Scene::kRooms, 3000, 3);
+  VoxelGrid grid = *find_grid(rooms);
+  for (std::size_t axis = 0; axis < 3; ++axis) grid.origin[axis] -= 40 * grid.edge[axis];
+  EncodeOptions options{.quality = {.max_error = QualityBound{0.01}}, .grid = grid};
+  const auto on_grid = encode(rooms, options);
+  ASSERT_TRUE(on_grid);
+  const auto header = Container::open(on_grid->bytes)->header().predictive;
+  EXPECT_EQ(header.lattice.origin, grid.origin);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_EQ(header.lattice.step[axis], grid.edge[axis] / (2.0 * header.levels));
+  for (double& edge : options.grid->edge) edge *= 0.37;
+  const auto off_grid = encode(rooms, options);
+  ASSERT_TRUE(off_grid);
+  EXPECT_NE(off_grid->report.stream.geometry, "grid");
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options.grid->edge[1] = bad;
+    EXPECT_FALSE(validate(options)) << bad;
+  }
 }
 
 TEST(VoxelFit, GentleGroundIsCodedInCubesAndHeightsOnALattice) {

@@ -2,7 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include <vector>
 
-#include "deltamesh/voxel_grid.h"
+#include "deltamesh/find_grid.h"
 #include "grid/source/fit.h"
 #include "positions/lattice/axis_values.h"
 
