@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "deltamesh/find_grid.h"
 #include "deltamesh/io.h"
 #include "drive.h"
 #include "report/text.h"
@@ -123,11 +124,25 @@ Result<MapUpdates> drive_updates(std::uint64_t vertices, std::uint32_t steps) {
   return updates;
 }
 
+namespace {
+
+/// Relative to the map's origin; empty where there is none.
+std::optional<VoxelGrid> grid_of(const MapUpdates& updates) {
+  const Mesh& first = updates.wholes.front();
+  auto grid = find_grid(first);
+  for (std::size_t axis = 0; grid && axis < 3; ++axis)
+    grid->origin[axis] += first.origin[axis] - updates.origin[axis];
+  return grid;
+}
+
+}  // namespace
+
 MapDescription map_description(const MapUpdates& updates, double max_error) {
   MapDescription description{.id = 1, .epoch = 1, .frame = "map"};
   description.lattice = {.origin = updates.origin, .step_exponent = step_exponent_for(max_error)};
   description.cell_steps =
       static_cast<std::uint32_t>(std::lround(updates.block_metres / description.lattice.step()));
+  description.grid = grid_of(updates);
   for (const Attribute& a : updates.steps.front().changed.front().mesh.attributes)
     description.attributes.push_back({a.kind, a.type, a.components, a.normalized, a.name, a.linear});
   return description;

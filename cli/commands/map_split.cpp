@@ -172,7 +172,7 @@ void add_map_split(CLI::App& map, int& status) {
       "were then, however the map grows. Where DIR holds a map, other bounds on positions than those asked "
       "before replace them, all of them; without any, those are kept. The same holds of bounds on "
       "attributes, of the map's number and frame, of --levels and --part-triangles; another number, frame or "
-      "--part-edge makes all parts anew. "
+      "--part-edge makes all parts anew, and so does a mesh from other voxels. "
       "Parts that stay as they are keep their files; those whose file is missing or damaged are written "
       "again.\n\n"
       "Colours of photographs are kept to 41 dB of PSNR, labels exactly.\n\n"

@@ -129,14 +129,25 @@ class Header:  # HDR-5 to HDR-14
 
     def HDR_14_lattice(self, r):
         self.steps = self.steps_of(r, 3) if self.flags & 16 else self.steps_of(r, 1) * 3
-        must(all(0 < s < math.inf for s in self.steps), "HDR-14", f"steps {self.steps}")
+        self.HDR_14_steps()
         self.lattice_origin = [r.number("d") for _ in range(3)] if self.flags & 32 else [0.0] * 3
         must(all_finite(self.lattice_origin), "HDR-14", "the lattice origin is not finite")
         self.first = self.first_point(r)
+        self.cells = [r.varint() for _ in range(3)]
+        self.levels = self.HDR_14_levels(r) if self.coder == VOXELS else 1
+        self.HDR_14_reach()
+
+    def HDR_14_steps(self):
+        must(all(0 < s < math.inf for s in self.steps), "HDR-14", f"steps {self.steps}")
+
+    def HDR_14_levels(self, r):
+        levels = r.varint(2**19, "HDR-14")
+        must(levels >= 1, "HDR-14", "no levels")
+        return levels
+
+    def HDR_14_reach(self):
         must(all(abs(f) <= 2**48 for f in self.first), "HDR-14", "the first point is beyond 2^48")
-        self.cells = [r.varint(2**28, "HDR-14") for _ in range(3)]
-        self.levels = r.varint(2**19, "HDR-14") if self.coder == VOXELS else 1
-        must(self.levels >= 1, "HDR-14", "no levels")
+        must(max(self.cells) <= 2**28, "HDR-14", f"{max(self.cells)} cells")
         self.box_min = [nearest_f32(self.POSN_2_place(a, 0)) for a in range(3)]
         self.box_max = [nearest_f32(self.POSN_2_place(a, self.cells[a])) for a in range(3)]
 

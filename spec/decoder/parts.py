@@ -92,19 +92,24 @@ class PartHeader(Header):
         self.HDR_5_counts(r)
         if self.flags & 2:
             must(self.coder == VOXELS and not self.flags & 0x38 and grid, "MAP-7", f"flags {self.flags}")
-            self.levels, (self.lattice_origin, edges) = r.varint(), grid
+            self.levels, (self.lattice_origin, edges) = self.HDR_14_levels(r), grid
             width = 2 * self.levels
             self.steps = [edge / width for edge in edges]
+            self.HDR_14_steps()
             pairs = [(unzigzag(r.varint()), r.varint()) for _ in range(3)]
-            voxels = [math.floor((c - o) / (width * s)) for c, o, s in zip(corner, self.lattice_origin, self.steps)]
-            self.first = [width * (f + v) for (f, _), v in zip(pairs, voxels)]
+            self.first = [width * (f + v) for (f, _), v in zip(pairs, self.before(width))]
             self.cells = [width * cells for _, cells in pairs]
+            self.HDR_14_reach()
         else:
             self.geometry(r)
 
     def first_point(self, r):
-        by = [math.floor((c - o) / s) for c, o, s in zip(self.corner, self.lattice_origin, self.steps)]
-        return [f + (b if abs(b) <= 2**48 else 0) for f, b in zip(super().first_point(r), by)]
+        return [f + b for f, b in zip(super().first_point(r), self.before(1))]
+
+    def before(self, width):
+        """Widths of so many steps from the lattice's origin to the cell's corner."""
+        widths = [(c - o) / (width * s) for c, o, s in zip(self.corner, self.lattice_origin, self.steps)]
+        return [math.floor(w) if abs(w) <= 2**48 else 0 for w in widths]
 
 def MAP_11_former(base):
     """Of the base's positions, as bytes: point and twin of the first vertex there, or None."""

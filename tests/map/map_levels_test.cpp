@@ -55,6 +55,22 @@ using test::keys_of;
 using test::odd_edges;
 using test::random_cover;
 
+/// Where nothing is left of a cell there is nothing to make a coarser copy of.
+TEST(MapLevels, MAP19IslandsVanish) {
+  Mesh mesh = bumpy_torus(30, false);
+  const auto first = static_cast<std::uint32_t>(mesh.vertex_count());
+  mesh.positions.insert(mesh.positions.end(), {30, 30, 1, 30.01F, 30, 1, 30, 30.01F, 1});
+  mesh.triangles.insert(mesh.triangles.end(), {first, first + 1, first + 2});
+  mesh.attributes[0].values.resize(mesh.attributes[0].values.size() + 9);
+  MapSettings settings{.part_edge = 0.5, .most_triangles = 500, .levels = 3};
+  settings.quality.bounds.max_error = QualityBound{0.01};
+  const auto state = encode_map(mesh, settings);
+  ASSERT_TRUE(state) << describe(state.error());
+  const auto finest = decode_map(*state);
+  ASSERT_TRUE(finest);
+  EXPECT_EQ(finest->triangle_count(), mesh.triangle_count());
+}
+
 TEST(MapLevels, MAP19WhatIsClosedIsClosedOnAllLevelsAndBetweenThem) {
   for (const bool has_groups : {false, true}) {
     const Mesh mesh = bumpy_torus(60, has_groups);

@@ -47,6 +47,7 @@ MapDescription description_of(const Drive& drive, double max_error, const std::v
   description.lattice = {.origin = drive.origin(), .step_exponent = step_exponent_for(max_error)};
   description.cell_steps =
       static_cast<std::uint32_t>(std::lround(kDriveBlockVoxels * drive.voxel() / description.lattice.step()));
+  description.grid = VoxelGrid{{}, {drive.voxel(), drive.voxel(), drive.voxel()}};
   for (const AttributeView& a : blocks.front().mesh.attributes)
     description.attributes.push_back(
         {a.kind, a.type, a.components, a.normalized, std::string(a.name), a.linear});

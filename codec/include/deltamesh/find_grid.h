@@ -16,7 +16,8 @@ namespace deltamesh {
 /// 30,000 vertices. Precondition: check_mesh() finds no fault. O(n).
 std::optional<VoxelGrid> find_grid(const MeshView& mesh);
 
-/// Whether a fair share of the vertices, one in five, is on the grid's edges. As find_grid() otherwise.
+/// Whether a fair share of the vertices, one in five, is on the grid's edges. Looks at as many.
+/// Preconditions: is_valid(), and that of find_grid(). O(n).
 bool is_on_grid(const VoxelGrid& grid, const MeshView& mesh);
 
 }  // namespace deltamesh

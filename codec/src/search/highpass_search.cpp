@@ -103,14 +103,16 @@ class HighpassSearch {
   }
 
   /// VDE sets the step, without diffusion; where that breaks a positional bound, anchors are added, then
-  /// diffusion, and at last the step shrinks.
+  /// diffusion, and at last the step shrinks: always where VDE takes no delta at all, so that only positional
+  /// bounds count.
   Result<void> keep_vde(const HighpassSettings& base) {
     const double aim = portable_exp2(is_quick() ? kQuickAim : kAim) * *bounds_.vde;
     const HighpassSettings first = settings_for_vde(base, aim, trials_);
     DELTAMESH_TRY(auto found, find_step(first, aim / kVdePerDeltaError, Watch::kVisual));
     if (!found) return {};
     HighpassSettings settings = *found;
-    if (settings.step >= coarsest_step(trials_) && !fixed_anchors() && !is_quick()) {
+    const bool is_moot = settings.step >= coarsest_step(trials_);  // no delta is needed to keep it
+    if (is_moot && !fixed_anchors() && !is_quick()) {
       HighpassSettings fewest = settings;  // nothing but anchors is left to be saved
       fewest.anchors = trials_.fewest_anchors();
       DELTAMESH_TRY([[maybe_unused]] const Loads loads, record_.make(fewest));
@@ -122,7 +124,7 @@ class HighpassSearch {
       settings.anchors = usual_anchors(bounds_.lfe ? kForLfe : kForMaxError, trials_);
     }
     DELTAMESH_CHECK(keep_by_diffusion(settings));
-    if (is_over()) return {};
+    if (is_hopeless() || (record_.best() && (is_quick() || !is_moot))) return {};
     settings.rate_weight = 0;
     return keep_positions(settings);
   }
@@ -154,6 +156,7 @@ class HighpassSearch {
     const double rate_weight = settings.rate_weight;
     constexpr int kMostCorrections = 2;
     double error = plain_delta_error(settings, settings.step, trials_);
+    const double most = plain_delta_error(settings, coarsest_step(trials_), trials_);
     Bracket bracket({.first = is_quick() ? kDiffusedLfe : 0.6,
                      .least = kDiffusedLfe,
                      .most = 1,
@@ -169,7 +172,9 @@ class HighpassSearch {
       for (int corrections = 0; corrections < kMostCorrections; ++corrections) {
         const double off = excess_of_load(loads.visual);
         if (!std::isfinite(off) || (off <= 0 && (off >= kTight || is_quick()))) break;
-        error *= portable_exp2(kAim - off);
+        const double corrected = error * portable_exp2(kAim - off);
+        if (off <= 0 && corrected >= most) break;  // VDE does not follow: at that step all deltas are 0
+        error = corrected;
         settings.step = step_for_delta_error(settings, error / diffused, trials_);
         DELTAMESH_TRY(loads, record_.make(settings));
       }

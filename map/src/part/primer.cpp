@@ -7,7 +7,6 @@
 
 #include "base/guard.h"
 #include "base/try.h"
-#include "deltamesh/find_grid.h"
 #include "deltamesh/map/map_codec.h"
 #include "part/as_primer.h"
 
@@ -124,8 +123,6 @@ Result<MapDescription> with_primers(MapDescription description, std::span<const 
   return guarded([&]() -> Result<MapDescription> {
     description.primers.clear();
     if (parts.empty()) return description;
-    const auto triangles = [](const MapPart& part) { return part.mesh.triangle_count(); };
-    if (!description.grid) description.grid = find_grid(std::ranges::max_element(parts, {}, triangles)->mesh);
     return PrimerSearch(std::move(description), parts, quality).run();
   });
 }

@@ -25,9 +25,8 @@ void EarlyMessages::keep(std::uint64_t number, EarlyMessage&& message) {
 }
 
 std::optional<std::vector<std::byte>> EarlyMessages::take(
-    const std::function<bool(const EarlyMessage&)>& is_known) {
-  const auto found =
-      std::ranges::find_if(messages_, [&](const auto& entry) { return is_known(entry.second); });
+    const std::function<bool(const EarlyMessage&)>& can_be) {
+  const auto found = std::ranges::find_if(messages_, [&](const auto& entry) { return can_be(entry.second); });
   if (found == messages_.end()) return std::nullopt;
   std::vector<std::byte> bytes = std::move(found->second.bytes);
   octets_ -= bytes.size();

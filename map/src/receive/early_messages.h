@@ -27,8 +27,8 @@ class EarlyMessages {
  public:
   /// Keeps a message, in place of the earliest where they become too many.
   void keep(std::uint64_t number, EarlyMessage&& message);
-  /// Takes out the earliest whose octets have come; null if there is none.
-  std::optional<std::vector<std::byte>> take(const std::function<bool(const EarlyMessage&)>& is_known);
+  /// Takes out the earliest that can be applied now; null if there is none.
+  std::optional<std::vector<std::byte>> take(const std::function<bool(const EarlyMessage&)>& can_be);
   /// Whether a message needs octets of this part.
   bool need(const PartKey& key) const;
   void clear();

@@ -28,9 +28,7 @@ Result<void> MapReceiver::apply(std::span<const std::byte> message) noexcept {
   return guarded([&]() -> Result<void> {
     state_->talk.earn(message.size());
     DELTAMESH_CHECK(state_->apply(message));
-    const auto is_known = [&](const EarlyMessage& early) { return state_->has_base(early); };
-    while (const auto early = state_->early.take(is_known)) DELTAMESH_CHECK(state_->apply(*early));
-    return {};
+    return state_->apply_early();
   });
 }
 

@@ -135,6 +135,7 @@ Result<void> MapReceiver::State::take(const PartKey& key, Version version,
 /// A version with its content.
 void MapReceiver::State::take(const PartKey& key, Version version) {
   const std::uint64_t revision = version.revision;
+  came.push_back(version.content);
   if (!is_new(key, revision)) return parts.remember(std::move(version.content));
   parts.put(key, std::move(version));
   if (const auto told = announced.find(key); told != announced.end() && told->second <= revision)
@@ -156,10 +157,25 @@ std::shared_ptr<const PartContent> MapReceiver::State::find_base(const PatchMess
                        [&](std::uint64_t hash) { return open_body(place, hash, patch.body).has_value(); });
 }
 
-bool MapReceiver::State::has_base(const EarlyMessage& message) const {
-  if (message.octets) return parts.content(message.base, *message.octets) != nullptr;
+bool MapReceiver::State::is_made_from(const EarlyMessage& message, const PartContent& content) const {
+  if (content.part.key != message.base) return false;
+  if (message.octets) return content.hash == *message.octets;
   const auto patch = read_patch(message.bytes);
-  return patch && find_base(*patch) != nullptr;
+  return patch && open_body(codec->state().place_of(patch->part.key), content.hash, patch->body);
+}
+
+Result<void> MapReceiver::State::apply_early() {
+  Result<void> outcome;
+  while (!came.empty()) {
+    const auto content = std::move(came.back());
+    came.pop_back();
+    const auto waits = [&](const EarlyMessage& message) { return is_made_from(message, *content); };
+    while (const auto message = early.take(waits)) {
+      auto applied = apply(*message);
+      if (outcome && !applied) outcome = applied.error();
+    }
+  }
+  return outcome;
 }
 
 /// Without the version that the patch is for it is kept until that comes.

@@ -40,6 +40,7 @@ struct MapReceiver::State {
   std::uint64_t start = 0;  ///< of the sender
   Arrivals arrivals{};      ///< of its numbered messages
   EarlyMessages early{};
+  std::vector<std::shared_ptr<const PartContent>> came{};  ///< that early messages may wait for
   FragmentJoiner fragments{};
   Talk talk{};
   SteadyTime clock{};
@@ -49,6 +50,8 @@ struct MapReceiver::State {
   std::set<PartKey> touched{};                   ///< since the last take_change()
 
   Result<void> apply(std::span<const std::byte> message);
+  /// What waits for content that came with the last message, or with what is applied here. The first error.
+  Result<void> apply_early();
   Result<void> apply_description(std::span<const std::byte> message);
   Result<void> apply_start(std::span<const std::byte> message);
   Result<void> apply_entry(std::span<const std::byte> message);
@@ -68,7 +71,7 @@ struct MapReceiver::State {
   Result<std::vector<std::byte>> receipt_message();
   Result<void> check_map(std::uint64_t hash) const;
   std::shared_ptr<const PartContent> find_base(const PatchMessage& patch) const;
-  bool has_base(const EarlyMessage& early) const;
+  bool is_made_from(const EarlyMessage& message, const PartContent& content) const;
   bool is_new(const PartKey& key, std::uint64_t revision) const;
   bool is_of_use(const PartKey& key, std::uint64_t revision) const;
   void settle();

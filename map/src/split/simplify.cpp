@@ -77,6 +77,7 @@ constexpr std::size_t kFewer = 4;
 /// The faces of a group once it is simplified. First open edges stay where they are, as they are what the
 /// error is measured least at; they may move where too many faces are left then.
 std::vector<std::uint32_t> simplified_faces(const Mesh& mesh, const FixedPositions& fixed, double max_error) {
+  if (mesh.triangles.empty()) return {};
   const auto holder = static_cast<std::uint32_t>(mesh.vertex_count());
   std::vector<float> positions = mesh.positions;
   add_holders(positions);

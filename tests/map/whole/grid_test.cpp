@@ -11,6 +11,7 @@
 
 #include "deltamesh/find_grid.h"
 #include "deltamesh/map/encode_map.h"
+#include "deltamesh/map/map_codec.h"
 #include "deltamesh/map/split.h"
 #include "field/marching_cubes.h"
 #include "map/map_meshes.h"
@@ -123,6 +124,38 @@ TEST(MapGrid, AnUpdateStaysOnTheGridOfTheMap) {
   const auto none = encode_map(empty, settings_of(2), &*first);
   ASSERT_TRUE(none) << describe(none.error());
   EXPECT_EQ(none->manifest.description, first->manifest.description);
+}
+
+/// Voxels beside three times as many triangles that are not.
+Mesh rooms_beside_others() {
+  Mesh mesh = hills_and_floor();
+  const Mesh others = test::random_mesh(2, 6000, 3 * static_cast<std::uint32_t>(mesh.triangle_count()));
+  const auto first = static_cast<std::uint32_t>(mesh.vertex_count());
+  for (std::size_t i = 0; i < others.positions.size(); ++i)
+    mesh.positions.push_back(4 * others.positions[i] + (i % 3 == 0 ? 15 : 0));
+  for (const std::uint32_t v : others.triangles) mesh.triangles.push_back(first + v);
+  return mesh;
+}
+
+TEST(MapGrid, TheSameMeshAgainIsNoUpdate) {
+  for (const Mesh& mesh : {hills_and_floor(), rooms_beside_others()}) {
+    const auto first = encode_map(mesh, settings_of(2));
+    ASSERT_TRUE(first);
+    const auto again = encode_map(mesh, settings_of(2), &*first);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->manifest.revision, 1U);
+    EXPECT_EQ(again->octets, first->octets);
+  }
+}
+
+TEST(MapGrid, PrimersLeaveTheGridAsItIs) {
+  MapDescription description;
+  const auto parts = split(hills_and_floor(), description, {.most_triangles = 3000});
+  ASSERT_TRUE(parts);
+  const auto primed = with_primers(description, *parts, {.bounds = {.max_error = QualityBound{0.005}}});
+  ASSERT_TRUE(primed);
+  EXPECT_FALSE(primed->primers.empty());
+  EXPECT_FALSE(primed->grid);
 }
 
 TEST(MapGrid, AnotherGridIsAnotherEpoch) {

@@ -70,6 +70,32 @@ TEST(HighpassSearch, MaxErrorIsNeverExceeded) {
   }
 }
 
+/// Diffusion does not help deltas that all become 0: what it carries on adds up.
+class ZeroingTrials final : public FormulaTrials {
+ public:
+  Result<Candidate> make(const HighpassSettings& settings) override {
+    DELTAMESH_TRY(Candidate figures, FormulaTrials::make(settings));
+    if (settings.step < kLargestDelta || settings.diffusion == 0) return figures;
+    figures.quality.vde_rms *= 8 * settings.diffusion;
+    figures.quality.lfe_rms *= 40;
+    figures.quality.max_error *= 40;
+    return figures;
+  }
+};
+
+TEST(HighpassSearch, AVdeThatTakesNoDeltaCostsNothing) {
+  for (const double max_error : {5e-2, 2e-2, 1e-2, 5e-3}) {
+    ZeroingTrials alone;
+    const auto by_error = search_highpass({.bounds = {.max_error = max_error}}, alone);
+    ASSERT_TRUE(by_error);
+    ZeroingTrials both;
+    const auto by_both = search_highpass({.bounds = {.vde = 0.004, .max_error = max_error}}, both);
+    ASSERT_TRUE(by_both);
+    EXPECT_LE(by_both->bytes, by_error->bytes * 101 / 100) << max_error;
+    EXPECT_LE(by_both->quality.max_error, max_error);
+  }
+}
+
 /// A mesh where a few vertices stick out until they are anchors themselves.
 class PeakyTrials final : public FormulaTrials {
  public:

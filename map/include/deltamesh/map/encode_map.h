@@ -55,8 +55,8 @@ Result<void> validate(const MapSettings& settings) noexcept;
 /// lattice is the coarsest that suits the quality; where a part cannot keep its bounds there, all is encoded
 /// again on one of half the step, up to six times. `before`: the state before, or null. What all parts share
 /// stays as it is there where that is possible, and a part whose octets stay has the revision that it had;
-/// otherwise a new epoch begins. Parts are made smaller where one takes more than kMostPartBytes. Errors: as
-/// split() and MapCodec::encode().
+/// otherwise a new epoch begins, also where the mesh is on another grid than the map. Parts are made smaller
+/// where one takes more than kMostPartBytes. Errors: as split() and MapCodec::encode().
 Result<MapState> encode_map(const MeshView& mesh, const MapSettings& settings,
                             const MapState* before = nullptr) noexcept;
 

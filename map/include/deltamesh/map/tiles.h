@@ -42,8 +42,8 @@ class TilePlanner {
   /// Errors: kInvalidArgument (also bounds that are not in model units, or none, and coarser levels).
   static Result<TilePlanner> make(const MapSettings& settings, std::uint64_t tile_triangles) noexcept;
 
-  /// The first mesh gives the map's origin and attributes. Meshes fit together where positions relative to
-  /// that origin are the same to the bit. Errors: as split().
+  /// The first mesh gives the map's origin, attributes and grid, if it has one. Meshes fit together where
+  /// positions relative to that origin are the same to the bit. Errors: as split().
   Result<void> add(const MeshView& mesh) noexcept;
 
   /// Without primers. Errors: kInvalidArgument (no mesh), kOutOfMemory.
