@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -50,6 +51,15 @@ std::map<SequenceBlockId, Mesh> cut_in_blocks(const Mesh& mesh, double edge,
   std::map<SequenceBlockId, Mesh> blocks;
   for (auto& [id, picker] : pickers) blocks.emplace(id, picker.take());
   return blocks;
+}
+
+/// Relative to the map's origin; empty where there is none.
+std::optional<VoxelGrid> grid_of(const MapUpdates& updates) {
+  const Mesh& first = updates.wholes.front();
+  auto grid = find_grid(first);
+  for (std::size_t axis = 0; grid && axis < 3; ++axis)
+    grid->origin[axis] += first.origin[axis] - updates.origin[axis];
+  return grid;
 }
 
 }  // namespace
@@ -123,19 +133,6 @@ Result<MapUpdates> drive_updates(std::uint64_t vertices, std::uint32_t steps) {
   }
   return updates;
 }
-
-namespace {
-
-/// Relative to the map's origin; empty where there is none.
-std::optional<VoxelGrid> grid_of(const MapUpdates& updates) {
-  const Mesh& first = updates.wholes.front();
-  auto grid = find_grid(first);
-  for (std::size_t axis = 0; grid && axis < 3; ++axis)
-    grid->origin[axis] += first.origin[axis] - updates.origin[axis];
-  return grid;
-}
-
-}  // namespace
 
 MapDescription map_description(const MapUpdates& updates, double max_error) {
   MapDescription description{.id = 1, .epoch = 1, .frame = "map"};

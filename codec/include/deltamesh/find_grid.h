@@ -11,9 +11,9 @@
 
 namespace deltamesh {
 
-/// The grid in whose cubes most faces of the mesh lie. Empty where there is none, and of heights over a grid:
-/// what has next to no vertex on edges of a second axis. Looks at a sample of some
-/// 30,000 vertices. Precondition: check_mesh() finds no fault. O(n).
+/// The grid in whose cubes most faces of the mesh lie, relative to its origin. Empty where there is none, and
+/// for heights over a grid: where next to no vertex is on edges of a second axis. Looks at some 30,000
+/// vertices. Precondition: finite positions, and indices in range. O(n).
 std::optional<VoxelGrid> find_grid(const MeshView& mesh);
 
 /// Whether a fair share of the vertices, one in five, is on the grid's edges. Looks at as many.

@@ -12,6 +12,7 @@
 #include "deltamesh/quality_request.h"
 #include "deltamesh/result.h"
 #include "deltamesh/stream_info.h"
+#include "deltamesh/voxel_grid.h"
 #include "positions/positions.h"
 #include "topology/extent.h"
 #include "topology/source_geometry.h"

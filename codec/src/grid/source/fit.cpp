@@ -152,7 +152,7 @@ double share_in_cubes(const VoxelFit& fit, std::span<const Vec3> positions,
 
 std::optional<VoxelFit> fit_to_grid(const VoxelGrid& grid, const AxisValues& values, const Box& box) {
   if (values.positions().empty()) return std::nullopt;
-  const double noise = 2 * rounding_noise(box) + 1e-4 * *std::ranges::min_element(grid.edge);
+  const double noise = 2 * rounding_noise(box) + 1e-4 * std::min({grid.edge[0], grid.edge[1], grid.edge[2]});
   const VoxelFit fit{.origin = grid.origin, .voxel = grid.edge, .noise = noise, .is_given = true};
   return with_share(fit, values);
 }
