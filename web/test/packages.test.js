@@ -43,7 +43,7 @@ for (const path of readdirSync(packages, { recursive: true }).filter((path) => p
 }
 
 /** Largest sizes of what is packed, bytes. */
-const PACKED = { decoder: 1395000, encoder: 993000 };
+const PACKED = { decoder: 1398000, encoder: 993000 };
 const PACKED_OTHERS = 12000;
 
 const typesOf = (path) => path.replace(/\.js$/, '.d.ts');
