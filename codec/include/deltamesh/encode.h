@@ -73,8 +73,8 @@ struct EncodeOptions {
   /// Models begin as here, not fresh; must outlive the call. Decoders need the same
   /// (deltamesh/model_states.h).
   const ModelStates* starting_states = nullptr;
-  /// That the mesh was cut from, is_valid(). Where nothing is said, encode() looks for one; where the mesh is
-  /// not on the one given (is_on_grid()), it is coded without any.
+  /// The grid that the mesh was cut from, is_valid(). Without one, encode() looks for it; a mesh that is not
+  /// on the given one (is_on_grid()) is coded without a grid.
   std::optional<VoxelGrid> grid{};
   /// A mesh that decoders have too, such as an earlier version: streams of grids take fewer bytes beside it.
   /// Must outlive the call; decoders need the same.

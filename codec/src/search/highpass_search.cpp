@@ -111,7 +111,7 @@ class HighpassSearch {
     DELTAMESH_TRY(auto found, find_step(first, aim / kVdePerDeltaError, Watch::kVisual));
     if (!found) return {};
     HighpassSettings settings = *found;
-    const bool is_moot = settings.step >= coarsest_step(trials_);  // no delta is needed to keep it
+    const bool is_moot = settings.step >= coarsest_step(trials_);  // VDE is kept with all deltas 0
     if (is_moot && !fixed_anchors() && !is_quick()) {
       HighpassSettings fewest = settings;  // nothing but anchors is left to be saved
       fewest.anchors = trials_.fewest_anchors();
@@ -173,7 +173,7 @@ class HighpassSearch {
         const double off = excess_of_load(loads.visual);
         if (!std::isfinite(off) || (off <= 0 && (off >= kTight || is_quick()))) break;
         const double corrected = error * portable_exp2(kAim - off);
-        if (off <= 0 && corrected >= most) break;  // VDE does not follow: at that step all deltas are 0
+        if (off <= 0 && corrected >= most) break;  // all deltas would be 0, and VDE says no more of the step
         error = corrected;
         settings.step = step_for_delta_error(settings, error / diffused, trials_);
         DELTAMESH_TRY(loads, record_.make(settings));

@@ -53,7 +53,7 @@ class ReceivedParts {
 
   /// Content of a part with these octets: shown, waiting, or replaced not long ago; null if there is none.
   std::shared_ptr<const PartContent> content(const PartKey& key, std::uint64_t hash) const;
-  /// The same by what octets' hashes tell.
+  /// The same, for octets whose xxh3-64 `is_hash` accepts.
   std::shared_ptr<const PartContent> content(const PartKey& key,
                                              const std::function<bool(std::uint64_t)>& is_hash) const;
 

@@ -50,7 +50,8 @@ struct MapReceiver::State {
   std::set<PartKey> touched{};                   ///< since the last take_change()
 
   Result<void> apply(std::span<const std::byte> message);
-  /// What waits for content that came with the last message, or with what is applied here. The first error.
+  /// Applies the early messages whose content has come, and those that wait for what these bring. Errors: the
+  /// first of theirs; the others are applied all the same.
   Result<void> apply_early();
   Result<void> apply_description(std::span<const std::byte> message);
   Result<void> apply_start(std::span<const std::byte> message);

@@ -58,7 +58,7 @@ std::int64_t floor_div(std::int64_t a, std::int64_t b) noexcept {
   return a / b - (a % b != 0 && a < 0 ? 1 : 0);
 }
 
-/// Of the cube that `position` is in.
+/// The middle of the cube that `position` is in, model units.
 std::array<float, 3> middle_of_cube(const VoxelGrid& grid, const std::array<double, 3>& position) noexcept {
   std::array<float, 3> middle{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -68,7 +68,8 @@ std::array<float, 3> middle_of_cube(const VoxelGrid& grid, const std::array<doub
   return middle;
 }
 
-/// Three lattice points whose mean decides about a face [MAP-4]: of its corners, or thrice of its cube.
+/// The lattice points whose mean decides about a face [MAP-4]: those of its corners, or three times that of
+/// the middle of its cube.
 std::array<LatticePoint, 3> points_of_face(const Mesh& mesh, std::size_t face,
                                            const MapDescription& description) noexcept {
   const MapLattice& lattice = description.lattice;

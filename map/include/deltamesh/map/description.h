@@ -77,7 +77,7 @@ struct MapDescription {
   /// Low corner of the cell 0, 0, 0: that of a mapper's block, or where borders of cells meet no walls and
   /// floors.
   LatticePoint cell_origin{};
-  /// That meshes were cut from, relative to the map's origin. Parts then say less of theirs, and split()
+  /// The grid that meshes were cut from, relative to the map's origin. Parts need not repeat it, and split()
   /// keeps the faces of a cube together.
   std::optional<VoxelGrid> grid{};
   std::vector<MapAttribute> attributes{};  ///< at most 255
