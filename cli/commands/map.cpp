@@ -2,14 +2,12 @@
 // Copyright 2026 The deltamesh authors
 #include "commands/map.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
 
 #include "commands/commands.h"
 #include "deltamesh/map/encode_map.h"
-#include "deltamesh/map/folder.h"
 #include "map_files.h"
 #include "mesh_files.h"
 #include "report/console.h"

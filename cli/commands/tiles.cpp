@@ -2,16 +2,13 @@
 // Copyright 2026 The deltamesh authors
 #include "commands/tiles.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "commands/commands.h"
 #include "deltamesh/io.h"

@@ -18,7 +18,6 @@
 #include "option_numbers.h"
 #include "report/console.h"
 #include "report/losses.h"
-#include "report/map.h"
 #include "stored/json_value.h"
 #include "stored/map_bounds.h"
 

@@ -4,9 +4,7 @@
 // What every generator fills in.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <string_view>
 

@@ -4,7 +4,6 @@
 // A point or vector of three doubles, and points of the unit circle, without the mathematics library.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 namespace deltamesh::scenes {

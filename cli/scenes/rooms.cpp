@@ -7,8 +7,6 @@
 #include <cmath>
 #include <vector>
 
-#include "field/building.h"
-#include "field/marching_cubes.h"
 #include "field/noise.h"
 #include "field/scan.h"
 #include "generators.h"

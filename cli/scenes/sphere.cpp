@@ -3,7 +3,6 @@
 // Rings of latitude, each with as many vertices as its length asks for, stitched to the next: closed, and of
 // irregular valence without an adjacency structure.
 #include <algorithm>
-#include <vector>
 
 #include "field/noise.h"
 #include "generators.h"

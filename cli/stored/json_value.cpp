@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "stored/json_value.h"
 
-#include <cmath>
-
 #include "deltamesh/files.h"
 #include "report/console.h"
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <filesystem>
-#include <span>
 #include <system_error>
 
 #include "deltamesh/files.h"

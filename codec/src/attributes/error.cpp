@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "attributes/payload.h"
 #include "base/component.h"
-#include "base/numbers/portable_math.h"
 #include "format/chunk/attribute_descriptor.h"
 
 namespace deltamesh {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "attributes/attribute.h"
@@ -23,7 +22,6 @@
 #include "attributes/uvs/uvs.h"
 #include "attributes/values.h"
 #include "base/byte_writer.h"
-#include "base/component.h"
 #include "base/numbers/short_float.h"
 #include "base/try.h"
 

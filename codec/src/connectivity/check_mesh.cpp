@@ -9,7 +9,6 @@
 #include <span>
 
 #include "base/try.h"
-#include "connectivity/groups/groups.h"
 #include "format/chunk/attribute_descriptor.h"
 #include "format/header.h"
 

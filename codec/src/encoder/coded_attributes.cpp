@@ -9,7 +9,6 @@
 #include "attributes/attribute.h"
 #include "base/try.h"
 #include "deltamesh/model_states.h"
-#include "format/chunk/tags.h"
 #include "format/vertex_positions.h"
 #include "states/stream_models.h"
 

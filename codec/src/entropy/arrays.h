@@ -5,7 +5,6 @@
 // numbers first, then the next lowest, and so on, so that zstd sees like beside like [CON-5].
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

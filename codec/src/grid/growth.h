@@ -5,7 +5,6 @@
 // and what the faces are [GRD-2 .. GRD-7]. One template for both directions.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>

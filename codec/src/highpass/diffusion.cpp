@@ -3,16 +3,10 @@
 #include "highpass/diffusion.h"
 
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <span>
-#include <vector>
 
-#include "base/numbers/vec3.h"
 #include "entropy/coder/pricer.h"
 #include "field/field_coder.h"
-#include "highpass/delta_quantizer.h"
-#include "topology/adjacency.h"
 
 namespace deltamesh {
 namespace {

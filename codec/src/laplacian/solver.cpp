@@ -3,7 +3,6 @@
 #include "laplacian/solver.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/try.h"
 #include "laplacian/coarsest/coarsest.h"

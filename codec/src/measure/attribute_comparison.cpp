@@ -6,14 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 
 #include "base/component.h"
 #include "base/numbers/portable_math.h"
 #include "base/numbers/srgb.h"
-#include "deltamesh/mesh.h"
 #include "format/chunk/attribute_descriptor.h"
 #include "measure/colors/color_difference.h"
 

@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "measure/face_graph.h"
 
-#include <algorithm>
-
 #include "measure/surface.h"
 #include "topology/weld.h"
 

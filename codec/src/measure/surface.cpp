@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "measure/surface.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

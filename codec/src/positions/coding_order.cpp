@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "positions/coding_order.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>

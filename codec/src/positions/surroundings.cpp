@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "positions/surroundings.h"
 
-#include <algorithm>
-
 namespace deltamesh {
 
 std::uint32_t count_with_faces(const FaceList& list) noexcept {

@@ -4,7 +4,6 @@
 // Quality of positions on a lattice.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "base/numbers/vec3.h"

@@ -2,9 +2,7 @@
 // Copyright 2026 The deltamesh authors
 #include "search/highpass_trials.h"
 
-#include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "base/progress.h"
 #include "base/try.h"

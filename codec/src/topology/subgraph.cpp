@@ -3,7 +3,6 @@
 #include "topology/subgraph.h"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 namespace deltamesh {

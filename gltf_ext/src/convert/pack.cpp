@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include <map>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

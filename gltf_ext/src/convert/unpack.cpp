@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include <algorithm>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 

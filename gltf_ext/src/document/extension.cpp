@@ -2,11 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "document/extension.h"
 
-#include <string>
 #include <utility>
 
 #include "base/try.h"
-#include "io/gltf/structure.h"
 
 namespace deltamesh::gltf {
 namespace {

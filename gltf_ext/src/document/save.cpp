@@ -3,7 +3,6 @@
 #include "document/save.h"
 
 #include <string>
-#include <utility>
 
 #include "base/try.h"
 #include "document/others.h"

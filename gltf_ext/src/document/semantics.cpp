@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "document/semantics.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <limits>

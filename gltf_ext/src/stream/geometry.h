@@ -4,9 +4,7 @@
 // Measures of a merged mesh by its groups.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "stream/plan.h"

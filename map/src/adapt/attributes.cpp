@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <type_traits>
-#include <utility>
 
 #include "base/component.h"
-#include "base/try.h"
 #include "support/errors.h"
 
 namespace deltamesh {

@@ -2,10 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "lattice/place_border.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "base/numbers/vec3.h"
 #include "topology/weld.h"

@@ -4,7 +4,6 @@
 
 #include <xxhash.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "base/byte_reader.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -17,7 +16,6 @@
 #include "lattice/place_border.h"
 #include "lattice/source_colors.h"
 #include "part/as_primer.h"
-#include "part/codec_state.h"
 #include "part/measure.h"
 #include "search/bracket.h"
 #include "search/request.h"

@@ -3,7 +3,6 @@
 #include "patch/encode.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/try.h"

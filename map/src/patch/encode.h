@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "deltamesh/map/part.h"
 #include "deltamesh/map/part_quality.h"

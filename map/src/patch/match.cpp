@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <utility>
 
 #include "base/numbers/vec3.h"
 #include "lattice/positions.h"

@@ -5,7 +5,6 @@
 #include <xxhash.h>
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "base/try.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include <algorithm>
-#include <utility>
 
 #include "base/try.h"
 #include "entropy/coder/reader.h"

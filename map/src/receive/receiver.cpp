@@ -2,14 +2,12 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/map/receiver.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/guard.h"
 #include "base/try.h"
 #include "message/entry_fields.h"
 #include "message/frame.h"
-#include "part/view_cells.h"
 #include "receive/state.h"
 
 namespace deltamesh {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/try.h"
-#include "message/entry_fields.h"
 #include "message/frame.h"
 #include "part/view_cells.h"
 #include "patch/container.h"

@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/try.h"
-#include "deltamesh/color_content.h"
 #include "part/encode.h"
 #include "part/view_cells.h"
 #include "part/view_quality.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <span>
-#include <utility>
 
 #include "send/viewer_state.h"
 

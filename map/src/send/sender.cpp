@@ -3,7 +3,6 @@
 #include "deltamesh/map/sender.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "base/guard.h"

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <utility>
 
 #include "base/try.h"
 #include "lattice/borders_of_links.h"

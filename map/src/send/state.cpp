@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <set>
-#include <utility>
 
 #include "base/try.h"
 #include "deltamesh/map/messages.h"

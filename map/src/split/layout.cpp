@@ -3,7 +3,6 @@
 #include "split/layout.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include "split/assemble.h"

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "deltamesh/map/part_key.h"

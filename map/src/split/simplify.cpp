@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <utility>
 
 #include "lattice/positions.h"
 #include "split/assemble.h"

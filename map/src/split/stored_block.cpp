@@ -3,12 +3,10 @@
 #include "split/stored_block.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/try.h"
 #include "base/with_found.h"

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <vector>
 
 #include "deltamesh/map/description.h"
 #include "deltamesh/mesh.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include <algorithm>
 
 #include "base/byte_reader.h"
 #include "base/byte_writer.h"

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "support/row_gather.h"
 
-#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>

@@ -4,9 +4,7 @@
 // Derives the description of a map from the request.
 #pragma once
 
-#include <array>
 #include <span>
-#include <vector>
 
 #include "base/numbers/vec3.h"
 #include "deltamesh/map/encode_map.h"

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "deltamesh/map/map_codec.h"
 
-#include <cstdint>
 #include <utility>
 
 #include "base/guard.h"

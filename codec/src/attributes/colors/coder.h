@@ -5,11 +5,8 @@
 // ATTR-52]. One template for both directions.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "attributes/colors/copies.h"
 #include "attributes/colors/former.h"

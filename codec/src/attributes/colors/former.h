@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "attributes/attribute.h"
 #include "attributes/colors/fields.h"

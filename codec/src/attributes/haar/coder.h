@@ -6,11 +6,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 
 #include "attributes/haar/models.h"
 #include "attributes/haar/steps.h"

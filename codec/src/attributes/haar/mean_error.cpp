@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 //
 // The step by the mean error asked for.
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

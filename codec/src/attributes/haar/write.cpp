@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>

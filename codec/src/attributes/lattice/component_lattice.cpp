@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "attributes/lattice/component_lattice.h"
 
-#include <bit>
 #include <limits>
 #include <utility>
 

@@ -4,11 +4,7 @@
 // The lattice that one component of an attribute lies on, and its fields in a payload [ATTR-55].
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "base/byte_reader.h"

@@ -5,7 +5,6 @@
 // the source lies on. Encoder only.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -5,8 +5,6 @@
 // only, in the order written.
 #pragma once
 
-#include <cstdint>
-
 #include "attributes/normals/lattice.h"
 #include "attributes/normals/rule.h"
 #include "base/simd/four_floats.h"

@@ -5,8 +5,6 @@
 // [ATTR-21 .. ATTR-25].
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "attributes/skin/joint_coder.h"
 #include "positions/guesses.h"

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "attributes/tangents/prediction.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace deltamesh {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "attributes/error.h"
 #include "attributes/prediction/pair_choice.h"
 #include "attributes/tangents/coder.h"
 #include "attributes/tangents/tangents.h"
-#include "base/numbers/portable_math.h"
 #include "entropy/coder/writer.h"
 
 namespace deltamesh {

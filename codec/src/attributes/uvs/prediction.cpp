@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers/vec3.h"
-
 namespace deltamesh {
 namespace {
 

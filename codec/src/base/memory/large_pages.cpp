@@ -3,7 +3,6 @@
 #include "base/memory/large_pages.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <new>
 

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "base/threads/thread_team.h"
 
-#include <algorithm>
 #include <new>
 #include <system_error>
 #include <utility>

@@ -2,10 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "connectivity/faces/border.h"
 
-#include <algorithm>
-
-#include "base/memory/large_vector.h"
-
 namespace deltamesh {
 
 namespace {

@@ -3,7 +3,6 @@
 #include "connectivity/faces/cut.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 

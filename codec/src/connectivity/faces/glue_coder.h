@@ -5,12 +5,10 @@
 // edge [CONN-14]. Two-sided sheets and doubled faces then cost next to nothing.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include "connectivity/faces/gluing.h"
 
 #include <numeric>
-#include <utility>
 
 #include "base/broken_rule.h"
 #include "base/numbers/zigzag.h"

@@ -4,7 +4,6 @@
 // Guides a writer's traversal by the mesh.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>

@@ -9,10 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "connectivity/faces/cut.h"
-#include "connectivity/groups/groups.h"
+#include "deltamesh/mesh.h"
 #include "entropy/coder/model.h"
 #include "entropy/coder/number_model.h"
 

@@ -4,8 +4,8 @@
 
 #include "base/byte_reader.h"
 #include "base/try.h"
-#include "connectivity/groups/groups.h"
 #include "connectivity/plain/topology.h"
+#include "deltamesh/mesh.h"
 #include "entropy/arrays.h"
 #include "format/chunk/tags.h"
 

@@ -4,7 +4,6 @@
 // Computes what the compact coder would spend, in bits, for encoders that trade bytes for quality.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 

@@ -5,9 +5,6 @@
 // bits below the symbol [CMP-15].
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -3,7 +3,6 @@
 #include "entropy/coder/writer.h"
 
 #include <bit>
-#include <utility>
 
 namespace deltamesh {
 namespace {

@@ -4,7 +4,6 @@
 // Chunk headers [DIR-*]: kind, codec and lengths.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "base/byte_reader.h"

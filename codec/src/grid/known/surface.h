@@ -4,7 +4,6 @@
 // A mesh that both sides have, on the grid of another one [MAP-26, MAP-27].
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>

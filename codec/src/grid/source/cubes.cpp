@@ -3,7 +3,6 @@
 #include "grid/source/cubes.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace deltamesh::grid {
 namespace {

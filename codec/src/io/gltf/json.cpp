@@ -3,7 +3,6 @@
 #include "io/gltf/json.h"
 
 #include <array>
-#include <string>
 
 namespace deltamesh::gltf {
 namespace {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdio>
 #include <string>
-#include <utility>
 
 #include "base/try.h"
 

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 //
 // OFF text, with the prefixes ST, C and N for what the vertices carry.
-#include <cmath>
 #include <string>
 
 #include "io/formats.h"

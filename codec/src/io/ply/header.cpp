@@ -3,11 +3,8 @@
 #include "io/ply/header.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
-#include <span>
-#include <string_view>
 #include <utility>
 
 #include "base/try.h"

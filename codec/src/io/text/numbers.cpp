@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "io/text/numbers.h"
 
-#include <cstdint>
-
 namespace deltamesh {
 namespace {
 

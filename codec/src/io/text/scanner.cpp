@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "io/text/scanner.h"
 
-#include <algorithm>
-
 #include "base/with_found.h"
 #include "io/text/numbers.h"
 

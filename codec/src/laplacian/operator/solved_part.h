@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "topology/adjacency.h"
 #include "topology/vertex_subset.h"

@@ -2,8 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "positions/blend/blend.h"
 
-#include <algorithm>
-
 #include "base/numbers/mean.h"
 
 namespace deltamesh {

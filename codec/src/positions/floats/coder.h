@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/memory/large_vector.h"
 #include "positions/floats/order.h"

@@ -2,7 +2,6 @@
 // Copyright 2026 The deltamesh authors
 #include "positions/lattice/exact_lattice.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>

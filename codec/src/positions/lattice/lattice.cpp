@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/memory/large_vector.h"
-
 namespace deltamesh {
 
 double finest_step(const Box& box) noexcept { return box.longest_side() / (kMostCells - 1) * (1 + 1e-9); }

@@ -5,8 +5,6 @@
 // once [POSN-4].
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
 #include <span>
 
 #include "base/simd/four_ints.h"

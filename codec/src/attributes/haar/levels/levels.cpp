@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <utility>
 
 #include "attributes/haar/levels/pairing.h"
 #include "base/small_code.h"

@@ -2,12 +2,8 @@
 // Copyright 2026 The deltamesh authors
 #include "io/gltf/content/narrow.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
-#include <limits>
-#include <utility>
 
 #include "io/components.h"
 

@@ -11,7 +11,6 @@
 #include "laplacian/multigrid/level/edges.h"
 #include "laplacian/multigrid/level/row.h"
 #include "laplacian/multigrid/level/unit_edges.h"
-#include "laplacian/multigrid/setup/levels.h"
 
 namespace deltamesh::multigrid {
 namespace {

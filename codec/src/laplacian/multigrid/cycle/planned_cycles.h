@@ -5,7 +5,6 @@
 // positions only, the residual field starts on the second level [DELT-7].
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

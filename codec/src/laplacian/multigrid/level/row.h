@@ -4,8 +4,6 @@
 // Four floats that are worked on at once: x, y, z and a pad, which is 0 or a probe of settling.
 #pragma once
 
-#include <vector>
-
 #include "base/numbers/vec3.h"
 #include "base/simd/four_floats.h"
 #include "base/simd/two_doubles.h"
