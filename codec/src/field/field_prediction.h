@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
-#include "base/numbers/floor_log2.h"
 #include "field/field_history.h"
 #include "field/octave_class.h"
 
@@ -49,7 +49,7 @@ class FieldPredictions {
     FieldPrediction f;
     f.base = bases_[kAxis];
     f.sign = mean >> 31;
-    f.shift = floor_log2(static_cast<std::uint32_t>(scale) | 63) - 5;
+    f.shift = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(scale) | 63)) - 6;
     const std::int32_t far = (mean ^ f.sign) - f.sign;
     const std::uint32_t sure =
         (8 * far >= scale ? 1U : 0U) + (2 * far >= scale ? 1U : 0U) + (far >= scale ? 1U : 0U);

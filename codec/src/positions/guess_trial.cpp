@@ -3,11 +3,11 @@
 #include "positions/guess_trial.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
-#include "base/numbers/floor_log2.h"
 #include "base/numbers/portable_math.h"
 #include "positions/guesses.h"
 
@@ -21,7 +21,7 @@ constexpr double kWorth = 1.15;
 
 /// Straight lines between powers of two.
 double about_log2(std::uint64_t x) noexcept {
-  const int whole = floor_log2(x);
+  const int whole = static_cast<int>(std::bit_width(x)) - 1;
   return whole - 1 + static_cast<double>(x) / static_cast<double>(std::uint64_t{1} << whole);
 }
 

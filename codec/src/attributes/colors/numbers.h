@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "attributes/colors/memory.h"
-#include "base/numbers/floor_log2.h"
 #include "entropy/coder/split_number.h"
 #include "entropy/coder/symbol_models.h"
 #include "field/octave_class.h"
@@ -112,7 +111,7 @@ class ColorNumbers {
     const float beyond = expected - static_cast<float>(base);
     const std::int32_t sign = beyond < 0 ? -1 : 0;
     const std::uint32_t whole = std::min(steps(scale), kMostScale) + 1;
-    const unsigned shift = floor_log2(whole | 63) - 5;
+    const unsigned shift = static_cast<unsigned>(std::bit_width(whole | 63)) - 6;
     const std::uint32_t short_scale = whole >> shift;
     const std::uint32_t near = steps(std::abs(beyond)) >> shift;
     const std::uint32_t sure = kSureness[(near * kSixteenthsOf[short_scale]) >> 16];
