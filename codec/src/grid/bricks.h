@@ -4,6 +4,7 @@
 // The bricks of a grid that have known nodes, and the vertices on edges that begin at these.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,6 @@
 #include "base/memory/large_vector.h"
 #include "grid/brick.h"
 #include "grid/cube/cube.h"
-#include "grid/pieces.h"
 
 namespace deltamesh::grid {
 
@@ -57,6 +57,29 @@ inline const BrickCopies& copies_of(unsigned place) noexcept {
   return kBrickCopies[kBrickEnds[place & 15] + 3U * kBrickEnds[place >> 4 & 15] +
                       9U * kBrickEnds[place >> 8]];
 }
+
+/// Storage that grows and whose elements keep their addresses.
+template <class T>
+class Pieces {
+ public:
+  /// One more element, uninitialised.
+  T& take() {
+    if (left_ == 0) {
+      left_ = count_ < kFew ? std::max<std::size_t>(count_, 8) : kLargePage / sizeof(T);
+      pieces_.emplace_back(left_);
+    }
+    ++count_;
+    return pieces_.back()[pieces_.back().size() - left_--];
+  }
+  void free() noexcept { *this = {}; }
+
+ private:
+  static constexpr std::size_t kFew = 64;  ///< elements; pieces after these fill a large page each
+
+  std::vector<LargeVector<T>> pieces_;
+  std::size_t count_ = 0;  ///< that were taken
+  std::size_t left_ = 0;   ///< in the last piece
+};
 
 class Bricks {
  public:
