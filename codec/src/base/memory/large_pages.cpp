@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
-#include "base/memory/large_pages.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <new>
+
+#include "base/memory/large_vector.h"
 
 #if defined(__linux__)
 #include <sys/mman.h>
