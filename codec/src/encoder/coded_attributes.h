@@ -4,6 +4,7 @@
 // All attributes of a mesh, coded on the surface that decoders will have.
 #pragma once
 
+#include "deltamesh/attribute_quality.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/result.h"
 #include "encoder/coded_topology.h"
@@ -20,5 +21,9 @@ bool attributes_use_positions(const MeshView& mesh, const EncodeOptions& options
 Result<ChunkList> code_attributes(const MeshView& mesh, const CodedTopology& topology,
                                   const EncodeOptions& options, const Candidate& geometry,
                                   bool about = false);
+
+/// `quality` with every bound `scale` times as large, at most to where an attribute would mean nothing any
+/// more, or no larger than asked (is_asked). What is exact stays so. `scale`: above 0.
+AttributeQuality scaled(const AttributeQuality& quality, double scale);
 
 }  // namespace deltamesh

@@ -10,7 +10,6 @@
 #include "base/try.h"
 #include "deltamesh/attribute_quality.h"
 #include "encoder/coded_attributes.h"
-#include "encoder/scaled_quality.h"
 #include "search/bracket.h"
 #include "search/geometry.h"
 #include "search/request.h"
