@@ -12,9 +12,9 @@
 #include "deltamesh/gltf.h"
 #include "document/compact.h"
 #include "document/edits.h"
-#include "document/quantization.h"
 #include "document/references.h"
 #include "document/save.h"
+#include "document/semantics.h"
 #include "io/gltf/structure.h"
 
 namespace deltamesh {
@@ -68,6 +68,27 @@ Result<void> check_not_compressed(const Json& json, const GltfReport& report) {
   else
     return {};
   return error;
+}
+
+bool is_core_map(const Document& document, const Json& map, int target) {
+  for (auto item = map.begin(); item != map.end(); ++item) {
+    const auto shape = accessor_shape(document, item->get<std::size_t>());
+    if (shape && *shape && !is_core_shape({item.key(), target}, **shape)) return false;
+  }
+  return true;
+}
+
+/// Removes the name KHR_mesh_quantization from the lists of extensions where all attributes of primitives
+/// have types that core glTF allows.
+void drop_needless_quantization(Document& document) {
+  bool needed = false;
+  for_each_primitive(document.json, [&](const Json& primitive, const PrimitiveNumber&) {
+    needed |= !is_core_map(document, primitive["attributes"], kBase);
+    if (const Json* targets = find(primitive, "targets"))
+      for (std::size_t i = 0; i < targets->size(); ++i)
+        needed |= !is_core_map(document, (*targets)[i], static_cast<int>(i));
+  });
+  if (!needed) remove_extension_name(document.json, "KHR_mesh_quantization");
 }
 
 void write_primitives(Json& json, const std::vector<PackedPrimitive>& packed) {
