@@ -87,7 +87,7 @@ std::optional<CodedAttribute> code_at_mean_error(const AttributeView& attribute,
   } else {
     // Errors are evenly spread over all numbers from -L to L.
     const double largest = std::sqrt(3.0) * rms;
-    bounded = code_compact(kLattice, write_lattice(attribute, rows, largest, settings.effort, surface));
+    bounded = code_on_lattices(attribute, rows, largest, settings.effort, surface);
   }
   auto mean = code_compact(
       kMean, write_haar_values(type, rows, rms, surface, mean_models(settings.start), settings.about));
@@ -127,14 +127,6 @@ std::optional<CodedAttribute> code_kind(const AttributeView& attribute, const At
   return code_on_lattices(attribute, rows, bound, settings.effort, surface);
 }
 
-/// What a coding of the attribute's kind cannot keep: exactly. Within a bound weights of several sets would
-/// no longer add up to 1.
-std::optional<CodedAttribute> code_as_numbers(const AttributeView& attribute, const AttributeRows& rows,
-                                              const AttributeSettings& settings,
-                                              const AttributeSurface& surface) {
-  return code_on_lattices(attribute, rows, 0, settings.effort, surface);
-}
-
 /// With the values that no coding holds beside [ATTR-12]; empty where there are none, or too many.
 std::optional<CodedAttribute> code_with_exceptions(const AttributeView& attribute, const AttributeRows& rows,
                                                    double bound, const AttributeSettings& settings,
@@ -150,7 +142,7 @@ std::optional<CodedAttribute> code_with_exceptions(const AttributeView& attribut
   std::iota(order.begin(), order.end(), 0U);
   const AttributeRows rest_rows(rest, order);
   auto coded = code_kind(rest, rest_rows, bound, settings, surface, others);
-  if (!coded) coded = code_as_numbers(rest, rest_rows, settings, surface);
+  if (!coded) coded = code_on_lattices(rest, rest_rows, 0, settings.effort, surface);
   if (!coded) return std::nullopt;
   ByteWriter out;
   out.write(static_cast<std::uint8_t>(static_cast<std::uint8_t>(coded->payload[0]) | kExceptionsFlag));
@@ -168,7 +160,9 @@ std::optional<CodedAttribute> write_on_surface(const AttributeView& attribute, c
                                                std::span<const Attribute> others) {
   auto coded = code_kind(attribute, rows, bound, settings, surface, others);
   if (!coded) coded = code_with_exceptions(attribute, rows, bound, settings, surface, others);
-  if (!coded) coded = code_as_numbers(attribute, rows, settings, surface);
+  // What a coding of the attribute's kind cannot keep: exactly. Within a bound weights of several sets would
+  // no longer add up to 1.
+  if (!coded) coded = code_on_lattices(attribute, rows, 0, settings.effort, surface);
   // Exact wide values may repeat in a way that only zstd finds, as in copies of parts. In large arrays it
   // never won.
   constexpr std::size_t kMostBytes = 1U << 16;
