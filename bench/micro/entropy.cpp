@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "connectivity/faces/faces.h"
-#include "highpass/anchor_list.h"
-#include "highpass/delta_symbols.h"
+#include "highpass/compact.h"
 #include "laplacian/operator/solved_part.h"
 #include "micro/stage_input.h"
 #include "peers/peer.h"

@@ -8,8 +8,7 @@
 #include <cstdint>
 
 #include "grid/grid.h"
-#include "highpass/anchor_list.h"
-#include "highpass/delta_symbols.h"
+#include "highpass/compact.h"
 #include "highpass/highpass.h"
 #include "positions/plain.h"
 #include "positions/positions.h"

@@ -17,7 +17,7 @@
 #include "deltamesh/decode.h"
 #include "deltamesh/encode.h"
 #include "deltamesh/version.h"
-#include "highpass/anchor_list.h"
+#include "highpass/compact.h"
 #include "positions/positions.h"
 #include "spec/example_lines.h"
 

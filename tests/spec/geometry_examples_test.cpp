@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "grid/grid.h"
-#include "highpass/delta_symbols.h"
+#include "highpass/compact.h"
 #include "highpass/highpass.h"
 #include "positions/positions.h"
 #include "spec/example_lines.h"

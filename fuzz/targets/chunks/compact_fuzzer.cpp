@@ -13,8 +13,7 @@
 #include "coder_run.h"
 #include "connectivity/faces/faces.h"
 #include "goal.h"
-#include "highpass/anchor_list.h"
-#include "highpass/delta_symbols.h"
+#include "highpass/compact.h"
 #include "support/graph_mesh.h"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "entropy/coder/pricer.h"
 #include "field/field_coder.h"
-#include "highpass/delta_symbols.h"
+#include "highpass/compact.h"
 #include "support/graph_mesh.h"
 #include "support/random.h"
 

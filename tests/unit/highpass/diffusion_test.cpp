@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "highpass/delta_symbols.h"
+#include "highpass/compact.h"
 #include "laplacian/operator/delta.h"
 #include "support/graph_mesh.h"
 

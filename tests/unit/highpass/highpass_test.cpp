@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/byte_writer.h"
-#include "highpass/anchor_list.h"
+#include "highpass/compact.h"
 #include "highpass/plain/plain.h"
 #include "measure/measure.h"
 #include "support/graph_mesh.h"
