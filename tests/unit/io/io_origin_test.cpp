@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "io/attribute_name.h"
+#include "io/names.h"
 #include "io/origin.h"
 
 namespace deltamesh {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/try.h"
-#include "io/attribute_name.h"
 #include "io/components.h"
 #include "io/io_error.h"
+#include "io/names.h"
 
 namespace deltamesh::gltf {
 namespace {

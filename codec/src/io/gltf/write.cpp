@@ -22,7 +22,7 @@
 #include "io/formats.h"
 #include "io/gltf/accessor.h"
 #include "io/gltf/content/narrow.h"
-#include "io/group_names.h"
+#include "io/names.h"
 #include "io/text/vertices.h"
 
 namespace deltamesh {

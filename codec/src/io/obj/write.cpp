@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/formats.h"
-#include "io/group_names.h"
+#include "io/names.h"
 #include "io/text/vertices.h"
 
 namespace deltamesh {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/try.h"
-#include "io/attribute_name.h"
 #include "io/components.h"
+#include "io/names.h"
 #include "io/text/scanner.h"
 
 namespace deltamesh {
@@ -90,11 +90,11 @@ using Names = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 3> kPosition{"x", "y", "z"};
 constexpr std::array<std::string_view, 3> kNormal{"nx", "ny", "nz"};
-constexpr std::array<std::array<std::string_view, 4>, 3> kColors{
+constexpr std::array<std::array<std::string_view, 4>, 3> kColorNames{
     {{"red", "green", "blue", "alpha"},
      {"r", "g", "b", "a"},
      {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}}};
-constexpr std::array<std::array<std::string_view, 2>, 4> kUvs{
+constexpr std::array<std::array<std::string_view, 2>, 4> kUvNames{
     {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
 
 class LayoutBuilder {
@@ -109,8 +109,8 @@ class LayoutBuilder {
   PlyLayout build() {
     layout_.has_position = claim(kPosition, PlyTarget::Kind::kPosition);
     if (has_all(kNormal)) add(AttributeKind::kNormal, ComponentType::kF32, kNormal);
-    for (const auto& names : kColors) add_color(names);
-    for (const auto& names : kUvs)
+    for (const auto& names : kColorNames) add_color(names);
+    for (const auto& names : kUvNames)
       if (has_all(names)) add(AttributeKind::kUv, ComponentType::kF32, names);
     for (std::size_t i = 0; i < properties_.size(); ++i) add_generic(i);
     return std::move(layout_);

@@ -62,13 +62,13 @@ class PlyFaces {
     choose_roles(face);
     if (std::find(roles_.begin(), roles_.end(), Role::kCorners) == roles_.end())
       return body.at("PLY: the faces have no list vertex_indices");
-    constexpr const char* kMissing = "PLY: a face names a vertex that does not exist";
+    constexpr const char* kNoSuchVertex = "PLY: a face names a vertex that does not exist";
     const auto take = [&](std::size_t property, double value) -> const char* {
       switch (roles_[property]) {
         case Role::kCorners:
-          if (!(value >= 0 && value < static_cast<double>(vertices))) return kMissing;
+          if (!(value >= 0 && value < static_cast<double>(vertices))) return kNoSuchVertex;
           corners_.push_back(static_cast<std::uint32_t>(value));
-          if (static_cast<double>(corners_.back()) != value) return kMissing;
+          if (static_cast<double>(corners_.back()) != value) return kNoSuchVertex;
           break;
         case Role::kUvs:
           face_uvs_.push_back(value);

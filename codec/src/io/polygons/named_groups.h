@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "deltamesh/io.h"
-#include "io/attribute_name.h"
+#include "io/names.h"
 #include "io/polygons/mesh.h"
 
 namespace deltamesh {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "deltamesh/io.h"
-#include "io/attribute_name.h"
 #include "io/gltf/json.h"
+#include "io/names.h"
 
 namespace deltamesh::gltf {
 

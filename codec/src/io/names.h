@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// Names by which writers tell groups of faces apart.
+// Names of attributes and groups of faces: what they may be, and how writers tell groups apart.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "deltamesh/io.h"
 
 namespace deltamesh {
+
+/// UTF-8 (RFC 3629: shortest form, no surrogates), 1 to 255 bytes.
+bool is_attribute_name(std::string_view name) noexcept;
 
 /// One for every group of the mesh, no two alike: where a group has the names of one before, or none at all
 /// while there are others, its `group` becomes or gets "group_N". Line ends and bytes that are not UTF-8
