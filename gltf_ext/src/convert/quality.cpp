@@ -26,16 +26,9 @@ std::optional<double> named_bound(const AttributeQuality& quality, const std::st
   return found == quality.named.end() ? std::nullopt : std::optional(found->error);
 }
 
-std::vector<Vec3> places(const Mesh& mesh) {
-  std::vector<Vec3> points;
-  points.reserve(mesh.vertex_count());
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) points.push_back(widen(&mesh.positions[3 * i]));
-  return points;
-}
-
 /// What the encoder keeps of positions that nothing is asked of.
 double default_error(const Mesh& mesh) {
-  const std::vector<Vec3> points = places(mesh);
+  const std::vector<Vec3> points = widen_rows(mesh.positions);
   return deltamesh::default_error(mesh.triangles, points, extent_of(points, Box::around(points)));
 }
 
@@ -44,7 +37,7 @@ Result<double> position_error(const EncodeOptions& options, const Mesh& mesh) {
   if (options.lossless) return 0.0;
   const auto in_model = [&](const QualityBound& bound) {
     if (bound.unit != QualityUnit::kDiagonal) return bound.value;
-    const std::vector<Vec3> points = places(mesh);
+    const std::vector<Vec3> points = widen_rows(mesh.positions);
     return bound.value / 100 * extent_of(points, Box::around(points)).diagonal;
   };
   const auto& most = options.quality.max_error;
@@ -138,7 +131,7 @@ Result<double> lattice_step(const EncodeOptions& options, const Mesh& mesh) {
     error = std::min(error, other);
   }
   const double step = 2 * kComponentShare * error;
-  return step * kMostSteps < Box::around(places(mesh)).longest_side() ? 0 : step;
+  return step * kMostSteps < Box::around(widen_rows(mesh.positions)).longest_side() ? 0 : step;
 }
 
 EncodeOptions lattice_options(const EncodeOptions& options, double step) {

@@ -34,9 +34,7 @@ Box box_of(std::span<const float> positions) noexcept {
 }
 
 QualityRequest request_of(const MeshView& mesh, const QualityRequest& asked) {
-  std::vector<Vec3> positions;
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
-    positions.push_back({mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]});
+  const std::vector<Vec3> positions = widen_rows(mesh.positions);
   const Extent extent = extent_of(positions, Box::around(positions));
   if (asked.empty()) return {.max_error = QualityBound{default_error(mesh.triangles, positions, extent)}};
   QualityRequest request = asked;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace deltamesh {
 
@@ -32,6 +33,12 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
 template <class Numbers>
 constexpr Vec3 widen(const Numbers& numbers) noexcept {
   return {static_cast<double>(numbers[0]), static_cast<double>(numbers[1]), static_cast<double>(numbers[2])};
+}
+/// Rows of three.
+inline std::vector<Vec3> widen_rows(std::span<const float> rows) {
+  std::vector<Vec3> widened(rows.size() / 3);
+  for (std::size_t i = 0; i < widened.size(); ++i) widened[i] = widen(&rows[3 * i]);
+  return widened;
 }
 /// Of two points, each as for widen().
 template <class A, class B>

@@ -13,18 +13,10 @@ constexpr std::size_t kSampledVertices = 1U << 15;
 constexpr double kMostFaces = 0.5;
 constexpr double kHeights = 0.995;  ///< of the edges along one axis: heights over a grid, or a floor
 
-std::vector<Vec3> points_of(const MeshView& mesh) {
-  std::vector<Vec3> points;
-  points.reserve(mesh.vertex_count());
-  for (std::size_t i = 0; i < mesh.positions.size(); i += 3)
-    points.push_back({mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]});
-  return points;
-}
-
 }  // namespace
 
 std::optional<VoxelGrid> find_grid(const MeshView& mesh) {
-  const std::vector<Vec3> points = points_of(mesh);
+  const std::vector<Vec3> points = widen_rows(mesh.positions);
   const AxisValues values(points, kSampledVertices);
   const auto found = fit_voxels(values, Box::around(points));
   if (!found || found->along_one_axis > kHeights) return std::nullopt;
@@ -34,7 +26,7 @@ std::optional<VoxelGrid> find_grid(const MeshView& mesh) {
 }
 
 bool is_on_grid(const VoxelGrid& grid, const MeshView& mesh) {
-  const std::vector<Vec3> points = points_of(mesh);
+  const std::vector<Vec3> points = widen_rows(mesh.positions);
   const AxisValues values(points, kSampledVertices);
   return fit_to_grid(grid, values, Box::around(points)).has_value();
 }
