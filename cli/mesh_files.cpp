@@ -6,9 +6,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <numeric>
 #include <system_error>
+#include <vector>
 
 #include "deltamesh/decode.h"
+#include "deltamesh/stream_info.h"
 #include "report/console.h"
 #include "report/losses.h"
 #include "report/progress.h"
@@ -63,6 +66,23 @@ Result<Mesh> decode_showing_progress(const std::vector<std::byte>& bytes, unsign
   Progress progress("decoding");
   return decode(bytes, {.limits = {}, .threads = threads, .progress = progress.callback()});
 }
+
+/// Faces group by group, each group's in their order.
+struct FacesByGroup {
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> groups;
+
+  explicit FacesByGroup(const MeshView& mesh) {
+    std::vector<std::uint32_t> order(mesh.face_groups.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t t) { return mesh.face_groups[t]; });
+    for (const std::uint32_t t : order) {
+      const auto corners = mesh.triangles.subspan(3 * std::size_t{t}, 3);
+      triangles.insert(triangles.end(), corners.begin(), corners.end());
+      groups.push_back(mesh.face_groups[t]);
+    }
+  }
+};
 
 Result<std::vector<std::byte>> write_showing_progress(const MeshView& mesh, FileFormat format,
                                                       WriteReport& report) {
@@ -135,14 +155,14 @@ ExitCode fail_coding(const std::string& path, const Error& error) {
   return kBadInput;
 }
 
-std::optional<Mesh> load_stream(const std::string& path, int& status, unsigned threads) {
+std::optional<LoadedStream> load_stream(const std::string& path, int& status, unsigned threads) {
   const Result<std::vector<std::byte>> bytes = read_input(path);
   if (!bytes) {
     status = fail(path, bytes.error());
     return std::nullopt;
   }
   Result<Mesh> mesh = decode_showing_progress(*bytes, threads);
-  if (mesh) return *std::move(mesh);
+  if (mesh) return LoadedStream{*std::move(mesh), inspect(*bytes)->keeps_order};
   status = fail(path, mesh.error());
   return std::nullopt;
 }
@@ -152,9 +172,9 @@ std::optional<Imported> load_mesh_or_stream(const std::string& path, int& status
   FileOptions own = options;
   if (format_of_path(path)) own.format.clear();
   if (!is_stream(path) && !(is_standard(path) && own.format.empty())) return load_mesh(path, status, own);
-  std::optional<Mesh> mesh = load_stream(path, status);
-  if (!mesh) return std::nullopt;
-  return Imported{.mesh = *std::move(mesh), .report = {}};
+  std::optional<LoadedStream> stream = load_stream(path, status);
+  if (!stream) return std::nullopt;
+  return Imported{.mesh = std::move(stream->mesh), .report = {}};
 }
 
 bool check_mesh_suffix(const std::string& path, int& status, const FileOptions& options) {
@@ -211,11 +231,17 @@ bool check_keeps_files(const std::string& input, const ReadReport& report,
   return true;
 }
 
-int save_mesh(const std::string& path, const MeshView& mesh, const FileOptions& options,
-              WriteReport* report) {
+int save_mesh(const std::string& path, MeshView mesh, const FileOptions& options, WriteReport* report,
+              bool keeps_order) {
   int status = kOk;
   const std::optional<FileFormat> format = mesh_format(path, options, Use::kWrite, status);
   if (!format) return status;
+  std::optional<FacesByGroup> faces;
+  if (*format == FileFormat::kObj && !keeps_order && !mesh.face_groups.empty()) {
+    faces.emplace(mesh);
+    mesh.triangles = faces->triangles;
+    mesh.face_groups = faces->groups;
+  }
   WriteReport own;
   WriteReport& losses = report != nullptr ? *report : own;
   const Result<std::vector<std::byte>> bytes = write_showing_progress(mesh, *format, losses);

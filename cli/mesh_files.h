@@ -51,8 +51,12 @@ std::optional<Imported> load_faces(const std::string& path, int& status, const F
 /// helps.
 ExitCode fail_coding(const std::string& path, const Error& error);
 
+struct LoadedStream {
+  Mesh mesh;
+  bool keeps_order;  ///< as StreamInfo
+};
 /// Reads and decodes a stream, likewise. `threads`: as DecodeOptions.
-std::optional<Mesh> load_stream(const std::string& path, int& status, unsigned threads = 1);
+std::optional<LoadedStream> load_stream(const std::string& path, int& status, unsigned threads = 1);
 
 /// Either of them, by the suffix; the format counts where there is none, and standard input without a format
 /// is a stream.
@@ -82,8 +86,9 @@ bool check_are_outside(const std::string& folder, const std::string& input, cons
                        int& status);
 
 /// Writes a mesh, whole or not at all; returns the exit code. `report` gets what the format cannot hold;
-/// without one it is printed.
-int save_mesh(const std::string& path, const MeshView& mesh, const FileOptions& options = {},
-              WriteReport* report = nullptr);
+/// without one it is printed. OBJ names a group wherever it changes: its faces are written group by group,
+/// but where their order is to be kept.
+int save_mesh(const std::string& path, MeshView mesh, const FileOptions& options = {},
+              WriteReport* report = nullptr, bool keeps_order = false);
 
 }  // namespace deltamesh::cli

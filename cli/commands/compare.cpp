@@ -16,6 +16,7 @@
 #include "report/losses.h"
 #include "report/progress.h"
 #include "report/stream.h"
+#include "stored/vertex_order.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -32,24 +33,6 @@ struct CompareArguments {
 
 /// Of A and B.
 using Losses = std::array<ReadReport, 2>;
-
-/// Little-endian uint32, as `encode --order-out` writes them; empty with `status` set where the file is bad.
-std::vector<std::uint32_t> load_order(const std::string& path, int& status) {
-  const Result<std::vector<std::byte>> bytes = read_file(path);
-  if (!bytes) {
-    status = fail(path, bytes.error());
-    return {};
-  }
-  if (bytes->empty() || bytes->size() % 4 != 0) {
-    print_error(path, "not an order file: its size must be a multiple of four bytes and not zero");
-    status = kBadInput;
-    return {};
-  }
-  std::vector<std::uint32_t> order(bytes->size() / 4);
-  for (std::size_t i = 0; i < bytes->size(); ++i)
-    order[i / 4] |= std::to_integer<std::uint32_t>((*bytes)[i]) << (8 * (i % 4));
-  return order;
-}
 
 std::string attributes_headline(const Comparison& result) {
   return result.matched_faces > 0 || result.corresponding
@@ -190,7 +173,7 @@ int run_compare(const CompareArguments& arguments) {
       !check_keeps_files(arguments.b, b->report, outputs, status))
     return status;
   std::vector<std::uint32_t> order;
-  if (!arguments.order.empty()) order = load_order(arguments.order, status);
+  if (!arguments.order.empty()) order = load_order(arguments.order, a->file_vertices, status);
   if (status != kOk) return status;
 
   const Result<Comparison> result = compare_showing_progress(*a, *b, order);

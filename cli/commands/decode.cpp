@@ -28,22 +28,22 @@ int run_decode(const DecodeArguments& arguments) {
   if (!check_mesh_suffix(arguments.out, status, arguments.files) ||
       !check_keeps_input(arguments.in, arguments.out, status))
     return status;
-  const std::optional<Mesh> mesh = load_stream(arguments.in, status, arguments.threads);
-  if (!mesh) return status;
+  const std::optional<LoadedStream> stream = load_stream(arguments.in, status, arguments.threads);
+  if (!stream) return status;
+  const Mesh& mesh = stream->mesh;
   WriteReport report;
-  status = save_mesh(arguments.out, *mesh, arguments.files, &report);
+  status = save_mesh(arguments.out, mesh, arguments.files, &report, stream->keeps_order);
   if (status != kOk) return status;
   std::ostream& out = report_stream(arguments.out);
   if (arguments.json) {
-    print_json({{"vertices", mesh->vertex_count()},
-                {"triangles", mesh->triangle_count()},
+    print_json({{"vertices", mesh.vertex_count()},
+                {"triangles", mesh.triangle_count()},
                 {"left_out", left_out_array(report)}},
                out);
     return status;
   }
-  out << arguments.in << " -> " << arguments.out << ": "
-      << counted(mesh->vertex_count(), "vertex", "vertices") << ", "
-      << counted(mesh->triangle_count(), "triangle", "triangles") << '\n';
+  out << arguments.in << " -> " << arguments.out << ": " << counted(mesh.vertex_count(), "vertex", "vertices")
+      << ", " << counted(mesh.triangle_count(), "triangle", "triangles") << '\n';
   print_left_out(report, out);
   return status;
 }

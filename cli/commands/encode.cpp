@@ -3,6 +3,7 @@
 #include "deltamesh/encode.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "report/losses.h"
 #include "report/progress.h"
 #include "report/stream.h"
+#include "stored/vertex_order.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -30,14 +32,15 @@ struct EncodeArguments {
   EncodeOptions options;
 };
 
-/// Little-endian uint32, one per decoded vertex.
-std::vector<std::byte> order_bytes(const std::vector<std::uint32_t>& order) {
-  std::vector<std::byte> bytes;
-  bytes.reserve(4 * order.size());
-  for (const std::uint32_t index : order)
-    for (unsigned shift = 0; shift < 32; shift += 8)
-      bytes.push_back(static_cast<std::byte>((index >> shift) & 0xff));
-  return bytes;
+/// Of attributes that stay exact as nothing is asked of them, each behind a blank.
+std::string exact_names(const Mesh& mesh, const AttributeQuality& quality) {
+  std::string names;
+  for (const Attribute& attribute : mesh.attributes) {
+    const auto is_its = [&](const NamedBound& bound) { return bound.name == attribute.name; };
+    if (attribute.kind == AttributeKind::kGeneric && std::ranges::none_of(quality.named, is_its))
+      names += ' ' + attribute.name;
+  }
+  return names;
 }
 
 void print_summary(const EncodeArguments& arguments, const ReadReport& read, const EncodeReport& report,
@@ -113,11 +116,12 @@ bool check_outputs(const EncodeArguments& arguments, int& status) {
 }
 
 /// The stream and the order, both or none; returns the exit code.
-int write_outputs(const EncodeArguments& arguments, const Encoded& encoded) {
+int write_outputs(const EncodeArguments& arguments, const Encoded& encoded,
+                  const std::vector<std::uint32_t>& file_vertices) {
   if (is_standard(arguments.out))
     if (const Result<void> written = write_output(arguments.out, encoded.bytes); !written)
       return fail(arguments.out, written.error());
-  const std::vector<std::byte> order = order_bytes(encoded.order);
+  const std::vector<std::byte> order = order_bytes(encoded.order, file_vertices);
   std::vector<NewFile> files;
   if (!is_standard(arguments.out)) files.push_back({arguments.out, encoded.bytes});
   if (!arguments.order_out.empty()) files.push_back({arguments.order_out, order});
@@ -150,9 +154,21 @@ int run_encode(const EncodeArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Result<Encoded> encoded = encode_showing_progress(imported->mesh, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (!encoded) return fail_coding(arguments.in, encoded.error());
+  if (!encoded) {
+    const std::string exact =
+        options.quality.target_bytes ? exact_names(imported->mesh, options.attributes) : std::string();
+    const ExitCode code = fail_coding(arguments.in, encoded.error());
+    if (code == kUnmetRequest && !exact.empty())
+      print_error("--target-bytes", "exact, for --attribute-error gives no bound:" + exact);
+    return code;
+  }
+  if (arguments.files.strict && encoded->report.dropped_lengths > 0) {
+    print_error(arguments.in,
+                "left out, which --strict forbids: " + lengths_text(encoded->report.dropped_lengths));
+    return kBadInput;
+  }
 
-  if (const int code = write_outputs(arguments, *encoded); code != kOk) return code;
+  if (const int code = write_outputs(arguments, *encoded, imported->file_vertices); code != kOk) return code;
   if (arguments.json)
     print_object(arguments, imported->report, encoded->report, elapsed.count());
   else
@@ -174,8 +190,9 @@ void add_encode_command(CLI::App& app, int& status) {
       ->required();
   add_file_options(*command, arguments->files, true);
   add_encode_options(*command, arguments->options);
-  command->add_option("--order-out", arguments->order_out,
-                      "write the input vertex of every decoded vertex, as little-endian uint32");
+  command->add_option(
+      "--order-out", arguments->order_out,
+      "write the number of the input vertex, from 0 on, of every decoded vertex, as little-endian uint32");
   command->add_flag("--json", arguments->json, "print one JSON object to standard output");
   command->footer(
       "Without options no vertex is off by more than 0.02 % of the diagonal of its mesh or 4 % of the mean\n"

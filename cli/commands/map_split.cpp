@@ -18,6 +18,7 @@
 #include "report/map.h"
 #include "report/progress.h"
 #include "stored/map_bounds.h"
+#include "stored/map_lock.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -73,6 +74,8 @@ int run_split(const Splitting& splitting) {
                          {splitting.folder + "/map.dmm", splitting.folder + "/bounds.json"}, status))
     return status;
   imported->report.leave_out(LeftOutKind::kNames, "groups", imported->mesh.group_names.size());
+  const auto lock = MapLock::take(splitting.folder, status);
+  if (!lock) return status;
   const auto known = load_before(splitting, status);
   if (!known) return status;
   const std::optional<MapState>& before = known->state;

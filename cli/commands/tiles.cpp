@@ -18,6 +18,7 @@
 #include "report/console.h"
 #include "report/map.h"
 #include "stored/map_bounds.h"
+#include "stored/map_lock.h"
 
 namespace deltamesh::cli {
 namespace {
@@ -141,7 +142,8 @@ std::optional<MapManifest> load_encoded(const std::string& folder, const TilePla
 int run_finish(const std::string& folder) {
   int status = kOk;
   const auto plan = load_own_plan(folder, status);
-  if (!plan || !is_next(folder, plan->plan, status)) return status;
+  const auto lock = plan ? MapLock::take(folder, status) : std::nullopt;
+  if (!lock || !is_next(folder, plan->plan, status)) return status;
   const auto planned = parts_of_tiles(plan->plan);
   std::vector<MapManifest> tiles;
   for (std::size_t i = 0; i < planned.size(); ++i)

@@ -142,10 +142,13 @@ nlohmann::ordered_json attributes_object(const StreamInfo& info) {
   return list;
 }
 
+std::string lengths_text(std::uint64_t count) {
+  return counted(count, "length of a normal or tangent", "lengths of normals or tangents") +
+         " other than 1 (--lossless keeps them)";
+}
+
 void add_dropped_lengths(Summary& summary, std::uint64_t count) {
-  if (count == 0) return;
-  summary.add("left out", counted(count, "length of a normal or tangent", "lengths of normals or tangents") +
-                              " other than 1 (--lossless keeps them)");
+  if (count > 0) summary.add("left out", lengths_text(count));
 }
 
 void add_attributes(Summary& summary, const Comparison& result) {

@@ -30,6 +30,8 @@ std::string kept_text(AttributeKind kind, double error, double rms);
 
 /// A line for every attribute. `labels`: of EncodeReport.
 void add_attributes(Summary& summary, const StreamInfo& info, std::uint64_t labels = 0);
+/// "12 lengths of normals or tangents other than 1 ...".
+std::string lengths_text(std::uint64_t count);
 /// Of EncodeReport; nothing where it is 0.
 void add_dropped_lengths(Summary& summary, std::uint64_t count);
 void add_attributes(Summary& summary, const Comparison& result);

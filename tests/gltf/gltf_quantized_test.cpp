@@ -146,7 +146,7 @@ TEST(GltfPackErrors, CompressedAssetsAreToBeDecompressedFirst) {
   add_draco(builder);
   const auto draco = pack_gltf(builder.glb(), {});
   ASSERT_FALSE(draco);
-  EXPECT_EQ(draco.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(draco.error().code, ErrorCode::kInvalidFile);
   EXPECT_NE(std::string(draco.error().message).find("Draco"), std::string::npos);
   EXPECT_NE(std::string(draco.error().message).find("gltf-transform cp"), std::string::npos);
   builder.sheet_mesh(make_sheet(4));

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "entropy/coder/writer.h"
 #include "lattice/border_payload.h"
 #include "lattice/place_border.h"
+#include "lattice/source_colors.h"
 #include "map/map_meshes.h"
 #include "support/color_value.h"
 
@@ -139,6 +141,21 @@ TEST(MapBorder, MAP24CopiesGetOneColourWhateverTheirStreamsHave) {
             EXPECT_EQ(level(read), v % 3 == 0 ? border_level(level(source), step) : level(decoded));
           }
       }
+    }
+  }
+}
+
+TEST(MapBorder, RoundingIsOffByAMeanErrorAtMost) {
+  for (const double rms : {0.3, 1.0, 2.27, 5.09, 40.0}) {
+    for (const ComponentType type : {ComponentType::kU8, ComponentType::kF32}) {
+      const auto step = static_cast<std::int32_t>(border_step(type, {.color_rms = rms}));
+      std::int32_t most = 0;
+      for (std::int32_t level = 0; step > 0 && level < 256; ++level)
+        most = std::max(
+            most, std::abs(border_level(static_cast<std::uint8_t>(level), static_cast<std::uint32_t>(step)) -
+                           level));
+      EXPECT_LE(most, rms);
+      EXPECT_GE(2 * most + 2, std::min(2 * rms, 24.0)) << "a coarser step would do";
     }
   }
 }

@@ -85,6 +85,8 @@ struct Imported {
   /// The file's coordinates less the mesh's, where rounding to float32 changed any: n x 3, model units, 0 at
   /// vertices that are not finite. For compare(); ReadReport::position_error is the longest.
   std::vector<float> roundings{};
+  /// The file's number of every vertex, where some that were not finite were dropped; else empty.
+  std::vector<std::uint32_t> file_vertices{};
 };
 
 /// Reads a mesh from bytes; objects, groups, materials and solids become groups of faces with names; for

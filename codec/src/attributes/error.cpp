@@ -78,9 +78,9 @@ const NamedBound* find_bound(const AttributeView& attribute, const AttributeQual
 double uncut_bound(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
   switch (attribute.kind) {
     case AttributeKind::kNormal:
-      return quality.normal_error;
+      return std::min(quality.normal_error, kMostAngle);
     case AttributeKind::kTangent:
-      return quality.tangent_error.value_or(quality.normal_error);
+      return std::min(quality.tangent_error.value_or(quality.normal_error), kMostAngle);
     case AttributeKind::kUv:
       return quality.uv_error;
     case AttributeKind::kColor:
@@ -139,7 +139,7 @@ std::optional<double> mean_bound_of(const AttributeView& attribute,
 std::uint64_t count_dropped_lengths(const AttributeView& attribute, const AttributeQuality& quality) {
   const double bound = bound_of(attribute, quality);
   const bool is_angle = measures_angles(attribute) && attribute.type == ComponentType::kF32;
-  if (!is_angle || !(bound >= kLeastAngle && bound <= kMostAngle)) return 0;
+  if (!is_angle || !(bound >= kLeastAngle)) return 0;
   std::uint64_t count = 0;
   const std::size_t row = attribute.components * sizeof(float);
   for (std::size_t at = 0; at + row <= attribute.values.size(); at += row) {

@@ -81,6 +81,7 @@ void drop_invalid_unused(Imported& imported) {
   for (std::size_t v = 0; v < count; ++v) {
     if (dropped[v]) continue;
     renamed[v] = static_cast<std::uint32_t>(kept);
+    imported.file_vertices.push_back(static_cast<std::uint32_t>(v));
     std::copy_n(&mesh.positions[3 * v], 3, &mesh.positions[3 * kept]);
     if (!roundings.empty()) std::copy_n(&roundings[3 * v], 3, &roundings[3 * kept]);
     for (Attribute& attribute : mesh.attributes) {

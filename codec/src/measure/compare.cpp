@@ -122,7 +122,7 @@ struct Reordered {
     if (rows.empty()) return result;
     result.reserve(3 * order.size());
     for (const std::uint32_t v : order) {
-      const auto row = rows.subspan(std::size_t{3} * v, 3);
+      const auto row = rows.subspan(v != kUnmatched ? std::size_t{3} * v : 0, 3);
       result.insert(result.end(), row.begin(), row.end());
     }
     return result;
@@ -138,7 +138,9 @@ void compare_vertices(const MeshView& a, const MeshView& b, std::span<const std:
   const Reordered reordered(a, b, roundings.a, order);
   const Surface original(reordered.view, a.origin, reordered.roundings);
   result.diagonal = original.diagonal();
-  const std::vector<Vec3> decoded = positions_relative_to(a.origin, b, roundings.b);
+  std::vector<Vec3> decoded = positions_relative_to(a.origin, b, roundings.b);
+  for (std::size_t v = 0; v < order.size(); ++v)
+    if (order[v] == kUnmatched) decoded[v] = original.positions[v];  // without an error
   const std::vector<Vec3> decoded_normals = vertex_normals(decoded, b.triangles, original.weld_groups());
 
   const std::vector<std::uint32_t>& representative = original.weld.representative;

@@ -101,24 +101,30 @@ Correspondence by_order(const MeshView& a, const MeshView& b, std::span<const st
   return found;
 }
 
-/// The vertex of A for every vertex of B; empty where a vertex of B has none, or is at several places of A.
+/// As Correspondence::order; empty where a vertex of a face of B is none of A's, or is at several places of
+/// A.
 std::vector<std::uint32_t> order_of(const FaceGraph& a, const FaceGraph& b,
                                     std::span<const FaceMatch> matches) {
-  constexpr std::uint32_t kUnset = 0xffffffff;
-  std::vector<std::uint32_t> welded(b.positions.size(), kUnset);
-  std::vector<std::uint32_t> order(b.positions.size());
+  std::vector<std::uint32_t> welded(b.positions.size(), kUnmatched);
+  std::vector<std::uint32_t> order(b.positions.size(), kUnmatched);
   for (std::size_t f = 0; f < matches.size(); ++f) {
     if (matches[f].face == kNoFace) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t corner = 3 * std::size_t{matches[f].face} + (k + matches[f].rotation) % 3;
       const std::uint32_t v = b.vertices[3 * f + k];
-      if (welded[v] != kUnset && welded[v] != a.corners[corner]) return {};
+      if (welded[v] != kUnmatched && welded[v] != a.corners[corner]) return {};
       welded[v] = a.corners[corner];
       order[v] = a.vertices[corner];
     }
   }
-  if (std::find(welded.begin(), welded.end(), kUnset) != welded.end()) return {};
-  return order;
+  if (std::find(order.begin(), order.end(), kUnmatched) == order.end()) return order;
+  // Vertices that no face uses count where each has one in A.
+  std::vector<std::uint32_t> of_faces(order.size(), kUnmatched);
+  for (const std::uint32_t v : std::span(b.vertices).first(3 * b.real_faces)) {
+    if (order[v] == kUnmatched) return {};
+    of_faces[v] = order[v];
+  }
+  return of_faces;
 }
 
 /// Whether both have the same faces, but for those that draw nothing as two corners are at one place.

@@ -12,13 +12,17 @@
 
 namespace deltamesh {
 
+inline constexpr std::uint32_t kUnmatched = 0xffffffff;
+
 /// Vertices of A and B that stand for each other.
 struct Correspondence {
-  bool whole = false;  ///< all faces of both, and every vertex of B
+  bool whole = false;  ///< all faces of both
   bool reordered = false;
-  std::vector<std::uint32_t> order;  ///< a vertex of A at the place of each of B's; only where whole
-  std::vector<VertexPair> pairs;     ///< at the corners of matched faces, each once
-  std::uint64_t faces = 0;           ///< matched ones
+  /// A vertex of A at the place of each of B's; only where whole. kUnmatched of those that no face uses, if
+  /// not all of them are A's.
+  std::vector<std::uint32_t> order;
+  std::vector<VertexPair> pairs;  ///< at the corners of matched faces, each once
+  std::uint64_t faces = 0;        ///< matched ones
 };
 
 /// By `order`, a vertex of A for every vertex of B; where it is empty by the vertices' numbers if these fit

@@ -56,7 +56,7 @@ Result<void> check_not_compressed(const Json& json, const GltfReport& report) {
     const Json* names = find(json, "extensionsUsed");
     return names && std::find(names->begin(), names->end(), extension) != names->end();
   };
-  Error error{.code = ErrorCode::kInvalidArgument};
+  Error error{.code = ErrorCode::kInvalidFile};
   if (uses("KHR_draco_mesh_compression"))
     error.message =
         "the meshes are compressed with Draco already; decompress them first, for example with "

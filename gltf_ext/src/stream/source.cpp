@@ -53,7 +53,8 @@ class SourceFinder {
         return primitive_error("the primitive's indices are not unsigned integers", number);
       corners = index_rows->shape().count;
     }
-    if (corners < 3) return leave(report_.not_triangles);
+    const bool is_whole = source.mode != TriangleMode::kList || corners % 3 == 0;
+    if (corners < 3 || !is_whole) return leave(report_.not_triangles);
     source.exact_order = has_unknown_extension(primitive);
     source.uv_scale = uv_scale_of(document_.json, primitive);
     DELTAMESH_TRY(const bool readable, add_attributes(primitive, shape->count, source));

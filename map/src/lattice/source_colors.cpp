@@ -3,15 +3,14 @@
 #include "lattice/source_colors.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "support/color_value.h"
 
 namespace deltamesh {
 namespace {
 
-/// Larger steps would be seen as bands along borders.
-constexpr double kMostStepOfMean = 24;
+/// Larger ones would be seen as bands along borders.
+constexpr double kMostErrorOfMean = 12;
 /// More than what rounding to f32 adds to a difference of levels.
 constexpr double kFloatRounding = 1.0 / 64;
 
@@ -34,9 +33,9 @@ BorderColors colors_of(const Attribute& source, std::uint32_t step, std::span<co
 std::uint32_t border_step(ComponentType type, const AttributeQuality& quality) noexcept {
   const bool is_whole = type == ComponentType::kU8;
   if (quality.color_rms) {
-    const auto step =
-        static_cast<std::uint32_t>(std::min(std::sqrt(12.0) * *quality.color_rms, kMostStepOfMean));
-    return is_whole ? std::max(step, 1U) : step;
+    // Whatever the colours are, rounding is off by no more than the mean error.
+    const double most = std::min(*quality.color_rms, kMostErrorOfMean);
+    return is_whole ? 2 * static_cast<std::uint32_t>(most) + 1 : static_cast<std::uint32_t>(2 * most);
   }
   const double bound = std::min(quality.color_error.value_or(0), kMostBorderStep / 2.0);
   if (!is_whole) return static_cast<std::uint32_t>(std::max(2 * (bound - kFloatRounding), 0.0));

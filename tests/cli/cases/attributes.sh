@@ -56,6 +56,12 @@ quiet encode long.ply long.dmsh --lossless
 grep -E '^  left out' .out | sed -E 's/ +/ /g'
 quiet encode long.ply long.dmsh --json
 grep dropped_lengths .out
+run encode long.ply strict.dmsh --strict
+quiet encode long.ply strict.dmsh --strict --lossless
+say "an angle that no coding needs is no dearer:"
+quiet encode long.ply wide.dmsh --normal-error 60
+quiet encode long.ply wider.dmsh --normal-error 170
+cmp wide.dmsh wider.dmsh && say "equal"
 list
 # Nothing is said of colours: photographs are kept to a mean error, labels exactly.
 quiet generate rooms rooms.ply --vertices 3000

@@ -133,3 +133,11 @@ quiet map split rooms.ply own.map --part-edge 2 --max-error 0.004
 run map join own.map own.map/map.dmm --format ply
 quiet verify own.map
 rm -r own.map
+say "one run at a time changes a map:"
+quiet map split rooms.ply own.map --part-edge 2 --max-error 0.004
+flock own.map "$program" map split rooms.ply own.map --part-edge 2 2>.err
+say "exit $?: $(cat .err)"
+quiet map split rooms.ply own.map --part-edge 2
+run map split nowhere.ply new.map --part-edge 2
+[ -e new.map ] || say "no folder is left"
+rm -r own.map

@@ -131,6 +131,13 @@ for file in face_colors.ply face_colors.off; do
   quiet decode a.dmsh a.off
   sed -n 1,3p a.off
 done
+say "colours as comments, and as 0 and 1:"
+printf "${v}#MRGB ffff0000ff00ff00ff0000ffffffffff\nf 1 2 3\nf 2 4 3\n" >polypaint.obj
+printf 'COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n3 0 1 2\n' >ones.off
+lost polypaint.obj ones.off
+quiet encode ones.off a.dmsh
+quiet decode a.dmsh a.obj
+grep '^v ' a.obj
 say "vertices that are not finite:"
 printf "v nan 0 0\n${v}f 2 3 4\n" >unused.obj
 printf "OFF 4 1 0\n${points}inf 0 0\n3 0 1 2\n" >unused.off

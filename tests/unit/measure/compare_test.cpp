@@ -129,6 +129,20 @@ TEST(Compare, DoesNotMissFacesThatDrawNothing) {
   }
 }
 
+TEST(Compare, DoesNotMissVerticesThatNoFaceUses) {
+  const Mesh a = octahedron();
+  Mesh b = test::shuffled(a, 5).mesh;
+  b.positions.insert(b.positions.end(), {7, 7, 7, 9, 9, 9});
+  for (const bool first : {true, false}) {
+    const auto result = first ? compare(a, b) : compare(b, a);
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result->corresponding);
+    EXPECT_EQ(result->measured_vertices, 6U);
+    EXPECT_EQ(result->quality.max_error, 0);
+    EXPECT_EQ(result->signed_error.back(), 0);
+  }
+}
+
 /// Their numbers are alike in every order.
 TEST(Compare, FindsTheOrderOfFacesWithoutCommonVertices) {
   constexpr std::uint32_t kFaces = 100;
@@ -231,9 +245,9 @@ TEST(Compare, AcceptsDroppedVertices) {
   EXPECT_EQ(found->quality.max_error, 0);
   const auto back = compare(b, a);  // the vertex without a face has no partner
   ASSERT_TRUE(back);
-  EXPECT_FALSE(back->corresponding);
+  EXPECT_TRUE(back->corresponding);
   EXPECT_EQ(back->matched_faces, 8U);
-  EXPECT_EQ(back->surface_max, 0);
+  EXPECT_EQ(back->quality.max_error, 0);
 }
 
 TEST(Compare, WeldsSeamsButSeesCracks) {

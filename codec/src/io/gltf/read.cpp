@@ -30,8 +30,10 @@ namespace deltamesh {
 namespace gltf {
 namespace {
 
+/// Values of attributes, each of some 50 bytes until it is read. A thousand small trees in a forest have
+/// fewer.
 constexpr std::uint64_t kFreeElements = std::uint64_t{1} << 15;
-constexpr std::uint64_t kElementsPerByte = 16;
+constexpr std::uint64_t kElementsPerByte = 64;
 
 /// One primitive of a placed mesh.
 struct Part {
@@ -122,7 +124,8 @@ class Assembly {
       if (is_new) {
         DELTAMESH_TRY(const AccessorShape shape, plain_shape(document_, primitive->position));
         if (shape.components != 3) return accessor_error("POSITION is not a VEC3", primitive->position);
-        DELTAMESH_CHECK(reserve(vertices_, shape.count));
+        vertices_ = saturating_add(vertices_, shape.count);
+        DELTAMESH_CHECK(reserve(values_, saturating_mul(shape.count, semantics.size())));
         sets_.push_back({.semantics = std::move(semantics),
                          .transform = &placement.transform,
                          .first = vertices_ - shape.count,
@@ -131,7 +134,7 @@ class Assembly {
       DELTAMESH_TRY(const std::uint64_t corners, corner_count(*primitive, sets_[set->second].count));
       if (primitive->mode == TriangleMode::kList && corners % 3 != 0)
         imported_.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners");
-      DELTAMESH_CHECK(reserve(corners_, corners));
+      DELTAMESH_CHECK(reserve(quarters_, (corners + 3) / 4));  // as large as a value
       imported_.report.uv_scale = std::max(imported_.report.uv_scale, uv_scale_of(document_.json, json));
       parts_.push_back({*primitive, set->second, groups_.number_of(json, placement.mesh)});
     }
@@ -148,7 +151,8 @@ class Assembly {
   Result<void> reserve(std::uint64_t& total, std::uint64_t more) const {
     total = saturating_add(total, more);
     if (total > limit_ || total > std::numeric_limits<std::uint32_t>::max())
-      return invalid_file("the file states or repeats far more vertices than its size suggests");
+      return invalid_file(
+          "the file states or repeats more than one of its size may: 64 values for each byte");
     return {};
   }
 
@@ -199,7 +203,8 @@ class Assembly {
   std::vector<double> coordinates_;  ///< vertices_ x 3
   std::vector<std::uint32_t> bare_;  ///< corners of the triangles without normals
   std::uint64_t vertices_ = 0;
-  std::uint64_t corners_ = 0;
+  std::uint64_t values_ = 0;    ///< of their attributes
+  std::uint64_t quarters_ = 0;  ///< of corners
   Imported imported_;
 };
 

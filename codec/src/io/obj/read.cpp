@@ -52,9 +52,11 @@ struct Records {
 
 class ObjReader {
  public:
-  explicit ObjReader(std::string_view text) : scanner_(text, {.hash_comments = true, .joined_lines = true}) {}
+  explicit ObjReader(std::string_view text)
+      : text_(text), scanner_(text, {.hash_comments = true, .joined_lines = true}) {}
 
   Result<Imported> read() {
+    leave_out_polypaint();
     for (std::string_view word = scanner_.next_token(); !word.empty(); word = scanner_.next_token())
       DELTAMESH_CHECK(read_statement(word));
     DELTAMESH_CHECK(positions_.check());
@@ -84,6 +86,15 @@ class ObjReader {
       return scanner_.error("OBJ: an unknown statement", word);
     }
     return {};
+  }
+
+  /// ZBrush writes colours as comments, 64 vertices each.
+  void leave_out_polypaint() {
+    constexpr std::string_view kPolypaint = "\n#MRGB ";
+    std::uint64_t lines = 0;
+    for (std::size_t at = text_.find(kPolypaint); at != text_.npos; at = text_.find(kPolypaint, at + 1))
+      ++lines;
+    report_.leave_out(LeftOutKind::kVertexValues, "polypaint (#MRGB)", lines);
   }
 
   /// The first word behind a statement's, having passed the others.
@@ -247,6 +258,7 @@ class ObjReader {
     return to_triangles(std::move(mesh), std::move(report_));
   }
 
+  std::string_view text_;
   TextScanner scanner_;
   Records<double> positions_{.components = 3};
   Records<float> uvs_{.components = 2};

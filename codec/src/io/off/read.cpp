@@ -95,6 +95,7 @@ Attribute to_attribute(AttributeKind kind, ComponentType type, std::size_t compo
 }
 
 /// Colours, judged when all are known: whole numbers from 0 to 255 are bytes; anything else are real numbers.
+/// None above 1 would be black as bytes: programs write 0 and 1 for 0.0 and 1.0.
 struct Colors {
   std::vector<double> values{};
   std::size_t components = 0;
@@ -108,10 +109,13 @@ struct Colors {
     }
   }
 
-  Attribute to_attribute() const {
-    const bool bytes = !fraction && std::all_of(values.begin(), values.end(), [](double c) {
-      return c >= 0 && c <= 255 && c == std::floor(c);
-    });
+  Attribute to_attribute(ReadReport& report) const {
+    bool bytes = !fraction && std::all_of(values.begin(), values.end(),
+                                          [](double c) { return c >= 0 && c <= 255 && c == std::floor(c); });
+    if (bytes && !values.empty() && *std::max_element(values.begin(), values.end()) == 1) {
+      report.leave_out(LeftOutKind::kGuesses, "1 as the brightest of colours", values.size() / components);
+      bytes = false;
+    }
     return deltamesh::to_attribute(AttributeKind::kColor, bytes ? ComponentType::kU8 : ComponentType::kF32,
                                    components, "color", values);
   }
@@ -129,7 +133,7 @@ class OffReader {
     if (!behind.empty())
       return scanner_.error("OFF: the file goes on behind the faces that it states", behind);
     if (header_.normal) add(AttributeKind::kNormal, 3, "normal", normals_);
-    if (header_.color && header_.vertices > 0) mesh_.attributes.push_back(colors_.to_attribute());
+    if (header_.color && header_.vertices > 0) mesh_.attributes.push_back(colors_.to_attribute(report_));
     if (header_.uv) add(AttributeKind::kUv, 2, "uv", uvs_);
     add_face_colors();
     return to_triangles(std::move(mesh_), std::move(report_));
@@ -215,7 +219,7 @@ class OffReader {
           LeftOutKind::kFaceValues,
           header_.color ? "colours, for the vertices have some" : "colours, not the same of all faces",
           colored_faces_);
-    mesh_.corner_values.push_back(index_values(face_colors_.to_attribute(), color_owners_));
+    mesh_.corner_values.push_back(index_values(face_colors_.to_attribute(report_), color_owners_));
   }
 
   TextScanner scanner_;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright 2026 The deltamesh authors
+//
+// One run of the program at a time changes a map.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace deltamesh::cli {
+
+/// As long as one lives, no other can be taken of its folder. Makes the folder; one that it made and that is
+/// still empty in the end goes again.
+class MapLock {
+ public:
+  /// Nothing, and an error on the terminal, where another run has it or the folder cannot be made.
+  static std::optional<MapLock> take(const std::string& folder, int& status);
+
+  MapLock(MapLock&& other) noexcept;
+  MapLock& operator=(MapLock&&) = delete;
+  ~MapLock();
+
+ private:
+  MapLock(std::string made, int descriptor) noexcept;
+
+  std::string made_;  ///< the folder; or empty, where it was there before
+  int descriptor_;    ///< of the open folder; -1: none
+};
+
+}  // namespace deltamesh::cli
