@@ -237,8 +237,11 @@ Result<void> MapReceiver::State::apply_fault(std::span<const std::byte> message)
   DELTAMESH_TRY(const FaultMessage told, read_fault(message));
   DELTAMESH_CHECK(check_map(told.map));
   if (!is_mine(told.start, told.number)) return {};
-  if (faults.size() >= limits.parts) std::erase_if(faults, [](const auto& f) { return f.second.code == 0; });
-  if (faults.size() >= limits.parts) return {};
+  constexpr std::size_t kMostFaults = std::size_t{1} << 16;
+  if (faults.size() >= kMostFaults && !faults.contains(told.key)) {
+    std::erase_if(faults, [](const auto& f) { return f.second.code == 0; });
+    if (faults.size() >= kMostFaults) return {};
+  }
   ToldFault& fault = faults[told.key];
   if (told.number >= fault.number) fault = {told.number, told.code};
   return {};

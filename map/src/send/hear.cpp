@@ -4,6 +4,7 @@
 // What a sender hears: views and receipts.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/try.h"
 #include "deltamesh/map/messages.h"
@@ -56,7 +57,7 @@ Result<void> MapSender::State::hear_view(std::span<const std::byte> bytes, doubl
   if (found == nullptr) return {};
   Viewer& viewer = *found;
   viewer.number = told.number;
-  viewer.view = told.view;
+  if (std::exchange(viewer.view, told.view) != told.view) viewer.retry_refused(now);
   std::vector<View> views;
   for (const auto& [number, other] : viewers) views.push_back(other.view);
   encodings.set_views(std::move(views));
@@ -71,7 +72,7 @@ Result<void> MapSender::State::hear_view(std::span<const std::byte> bytes, doubl
   viewer.start = told.start;
   viewer.describe_next = std::min(viewer.describe_next, now + kDescribeAgain);
   take_receipt(viewer, told.receipt, now);
-  take_held(viewer, told.held, viewer.waiting_since(now));
+  take_held(viewer, told.held, now);
   forget_gone_parts(viewer, map, now);
   return {};
 }

@@ -13,12 +13,12 @@ namespace {
 
 class Planner {
  public:
-  Planner(const Viewer& viewer, const SeenCells& seen, double waiting_since, const SourceMap& map,
-          Encodings& encodings, KnownVersions& known, bool keeps_good_enough,
-          const std::function<bool()>& is_over)
+  Planner(const Viewer& viewer, const SeenCells& seen, double now, const SourceMap& map, Encodings& encodings,
+          KnownVersions& known, bool keeps_good_enough, const std::function<bool()>& is_over)
       : viewer_(viewer),
         seen_(seen),
-        waiting_since_(waiting_since),
+        now_(now),
+        waiting_since_(viewer.waiting_since(now)),
         map_(map),
         encodings_(encodings),
         known_(known),
@@ -28,12 +28,19 @@ class Planner {
 
   Result<SendPlan> run() {
     WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description(), seen_);
-    for (const PartKey& key : parts.wanted) {
-      if (const Error* fault = encodings_.fault(*map_.find(key), viewer_.view); fault != nullptr)
+    for (auto next = parts.wanted.begin(); next != parts.wanted.end();) {
+      const PartKey key = *next++;
+      const Error* fault = encodings_.fault(*map_.find(key), viewer_.view);
+      const SentPart* refused = refused_of(key);
+      const bool is_impossible = fault != nullptr && fault->code != ErrorCode::kUnmetRequest;
+      if (is_impossible || (fault != nullptr && refused == nullptr)) {
         plan_.faults.push_back({key, fault->code, fault->message, fault->best_value});
+      } else if (refused != nullptr) {
+        plan_.faults.push_back({key, ErrorCode::kLimitExceeded, "the receiver did not keep it"});
+      }
+      if (is_impossible || (refused != nullptr && now_ < refused->again_at))
+        parts.others.insert(parts.wanted.extract(key));
     }
-    for (const PartFault& fault : plan_.faults)
-      if (fault.code != ErrorCode::kUnmetRequest) parts.others.insert(parts.wanted.extract(fault.key));
     for (const PartKey& key : parts.wanted) {
       DELTAMESH_CHECK(look_at(key, *map_.find(key)));
       plan_.is_complete = encodings_.encoded() == encoded_ || !is_over_();
@@ -59,6 +66,14 @@ class Planner {
   }
 
  private:
+  /// Null where the receiver did not refuse the part's content.
+  const SentPart* refused_of(const PartKey& key) const {
+    const auto sent = viewer_.sent.find(key);
+    const bool is_refused = sent != viewer_.sent.end() && sent->second.is_refused() &&
+                            sent->second.content == map_.find(key)->content_revision;
+    return is_refused ? &sent->second : nullptr;
+  }
+
   /// Decides whether the receiver's version may stay.
   Result<void> look_at(const PartKey& key, const SourcePart& source) {
     const auto has = viewer_.has.find(key);
@@ -168,6 +183,7 @@ class Planner {
 
   const Viewer& viewer_;
   const SeenCells& seen_;
+  double now_;
   double waiting_since_;
   const SourceMap& map_;
   Encodings& encodings_;
@@ -198,10 +214,10 @@ Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, co
   return std::optional(version);
 }
 
-Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double waiting_since,
-                          const SourceMap& map, Encodings& encodings, KnownVersions& known,
-                          bool keeps_good_enough, const std::function<bool()>& is_over) {
-  return Planner(viewer, seen, waiting_since, map, encodings, known, keeps_good_enough, is_over).run();
+Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double now, const SourceMap& map,
+                          Encodings& encodings, KnownVersions& known, bool keeps_good_enough,
+                          const std::function<bool()>& is_over) {
+  return Planner(viewer, seen, now, map, encodings, known, keeps_good_enough, is_over).run();
 }
 
 }  // namespace deltamesh

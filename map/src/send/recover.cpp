@@ -50,6 +50,24 @@ std::size_t lost_at_the_end(const Viewer& viewer, const PartKey& key, Numbers se
   return count;
 }
 
+/// Tells what the receiver has got and not kept by what it had `before` it told what it holds.
+void note_refused(Viewer& viewer, const std::map<PartKey, Believed>& before, double now) {
+  for (const auto& [key, believed] : before) {
+    if (believed.stage == Stage::kSent) continue;
+    const auto has = viewer.has.find(key);
+    const bool is_there = has != viewer.has.end() && has->second.revision >= believed.revision;
+    SentPart& sent = viewer.sent[key];
+    if (is_there && has->second.stage == Stage::kTold && has->second.revision >= sent.revision)
+      sent.refusals = 0;
+    if (is_there || believed.stage != Stage::kArrived) continue;
+    if (believed.is_gone) {
+      viewer.retry_refused(now);
+    } else {
+      sent.refuse(now);
+    }
+  }
+}
+
 }  // namespace
 
 void take_receipt(Viewer& viewer, const Receipt& receipt, double now) {
@@ -59,7 +77,7 @@ void take_receipt(Viewer& viewer, const Receipt& receipt, double now) {
       believed.stage = Stage::kArrived;
 }
 
-void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double waiting_since) {
+void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double now) {
   const std::map<PartKey, Believed> before = viewer.has;
   // What has come and is not there was refused, or is gone.
   std::erase_if(viewer.has, [&](const auto& entry) {
@@ -80,7 +98,8 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
         newer->second.revision + (newer->second.is_gone ? 1 : 0) > version.revision)
       continue;
     const auto known = before.find(version.key);
-    if (known != before.end() && known->second.is_gone && version.is_waiting && sent.time > waiting_since) {
+    if (known != before.end() && known->second.is_gone && version.is_waiting &&
+        sent.time > viewer.waiting_since(now)) {
       viewer.has[version.key] = known->second;  // until what comes in its place is there
       continue;
     }
@@ -92,6 +111,7 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double wait
                                .version = version.version,
                                .is_waiting = version.is_waiting};
   }
+  note_refused(viewer, before, now);
 }
 
 void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages) {

@@ -70,7 +70,9 @@ Result<void> MapSender::State::make_version(const PartKey& key, ChosenVersion ch
   const std::uint64_t revision = viewer.next_revision(key, source.revision, now);
   std::vector<PartLink> links = links_for(source, encoding->decoded.mesh, viewer, plan);
   links_made += links.size();
-  viewer.sent[key].add(part_box(encoding->decoded.mesh));
+  SentPart& sent = viewer.sent[key];
+  sent.add(part_box(encoding->decoded.mesh));
+  if (std::exchange(sent.content, source.content_revision) != source.content_revision) sent.refusals = 0;
   const std::uint64_t number = viewer.delivery.next_number();
   viewer.has[key] = {.revision = revision,
                      .since = is_the_same ? before->since : revision,
@@ -160,14 +162,14 @@ Result<void> MapSender::State::make_removal(const PartKey& key, const SendPlan& 
   return {};
 }
 
-Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double waiting_since, double now,
+Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double now,
                                                 std::vector<std::vector<std::byte>>& messages) {
   for (bool is_complete = false; !is_complete;) {
     is_complete = true;
     const SeenCells seen(viewer, map, encodings.codec().description());
     DELTAMESH_CHECK(make_copies(viewer, seen, now));
-    DELTAMESH_TRY(SendPlan plan, plan_for(viewer, seen, waiting_since, map, encodings, known,
-                                          options.keeps_good_enough, [&] { return is_call_over(true); }));
+    DELTAMESH_TRY(SendPlan plan, plan_for(viewer, seen, now, map, encodings, known, options.keeps_good_enough,
+                                          [&] { return is_call_over(true); }));
     if (!plan.is_complete) return {};
     for (const PartKey& key : plan.needed) viewer.due.try_emplace(key, map.revision());
     std::erase_if(viewer.due, [&](const auto& entry) { return !plan.needed.contains(entry.first); });

@@ -67,8 +67,7 @@ struct MapSender::State {
   /// Some of those that the viewer needs.
   Result<void> make_copies(Viewer& viewer, const SeenCells& seen, double now);
   /// Makes copies, plans and sends within the allowance.
-  Result<void> send_what_is_due(Viewer& viewer, double waiting_since, double now,
-                                std::vector<std::vector<std::byte>>& messages);
+  Result<void> send_what_is_due(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
   /// Makes the messages of a unit, and sends what may be sent now. False: a part of it cannot be encoded,
   /// which another plan takes into account.
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -44,11 +45,22 @@ struct SentPart {
   bool is_removal = false;
   bool is_everywhere = false;       ///< told of by the receiver, and unknown
   std::optional<PartBox> extent{};  ///< of all versions that were sent
+  std::uint64_t content = 0;        ///< SourcePart::content_revision of the last version
+  /// How often the receiver got that content and did not keep it, until it holds it.
+  unsigned refusals = 0;
+  double again_at = 0;  ///< seconds; until then it is not sent again after `refusals`
 
   void add(const PartBox& version) noexcept {
     if (!extent) extent = version;
     extent->add(version);
   }
+  /// Refused once may be bad luck; from the second time on each wait is four times as long, 17 minutes at
+  /// most.
+  void refuse(double now) noexcept {
+    ++refusals;
+    again_at = now + (is_refused() ? std::ldexp(1.0, static_cast<int>(2 * std::min(refusals - 2, 5U))) : 0);
+  }
+  bool is_refused() const noexcept { return refusals > 1; }
 };
 
 /// Seconds for a first reply to the map's message.
@@ -119,6 +131,11 @@ struct Viewer {
   /// What was sent by then and still waits is not waited for any longer.
   double waiting_since(double now) const { return now - std::max(1.0, 4 * delivery.timeout()); }
 
+  /// The receiver may have room now: what it refused is sent again within a second.
+  void retry_refused(double now) noexcept {
+    for (auto& [key, part] : sent) part.again_at = std::min(part.again_at, now + 1);
+  }
+
   std::optional<Believed> believed(const PartKey& key) const {
     const auto found = has.find(key);
     return found == has.end() ? std::nullopt : std::optional(found->second);
@@ -138,9 +155,9 @@ struct Viewer {
 
 /// Takes what a receiver tells of its messages.
 void take_receipt(Viewer& viewer, const Receipt& receipt, double now);
-/// Takes what it tells of its parts, with the receipt. `waiting_since`: removals that were sent before, and
+/// Takes what it tells of its parts, with the receipt. Removals that were sent before waiting_since(), and
 /// that still wait, are taken for not sent.
-void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double waiting_since);
+void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double now);
 
 /// Sends again what later messages of a part are made from, and takes back what was believed of all others
 /// that were lost, so that the next plan sends something newer.
@@ -167,13 +184,13 @@ struct SendPlan {
 class SeenCells;
 
 /// Plans for all parts in the view: those that are missing or break the view's bounds, and those that would
-/// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. `waiting_since`:
-/// parts that the receiver does not show, and about which no message was sent since then, are sent again.
+/// not fit to these any more [MAP-12]. Adds the newest versions that it compares to `known`. Parts that the
+/// receiver does not show, and about which no message was sent since waiting_since(), are sent again.
 /// `is_over`: whether time is over; then it encodes one part more at the most, and another call goes on.
 /// Errors: as Encodings::get().
-Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double waiting_since,
-                          const SourceMap& map, Encodings& encodings, KnownVersions& known,
-                          bool keeps_good_enough, const std::function<bool()>& is_over);
+Result<SendPlan> plan_for(const Viewer& viewer, const SeenCells& seen, double now, const SourceMap& map,
+                          Encodings& encodings, KnownVersions& known, bool keeps_good_enough,
+                          const std::function<bool()>& is_over);
 
 /// The newest version for a view, which `known` gains; null: there is none. Errors: as Encodings::get().
 Result<std::optional<std::uint32_t>> newest_version(const SourcePart& source, const View& view,

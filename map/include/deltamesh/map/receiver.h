@@ -19,7 +19,9 @@
 namespace deltamesh {
 
 /// Upper limits of what a receiver holds. Parts outside of the view, the farthest first, make room for those
-/// in it; messages that would still exceed a limit are refused.
+/// in it; messages that would still exceed a limit are refused. The sender notices: a part that was refused
+/// twice is one of faults(), goes where an older version is held, and is sent again ever more rarely, until
+/// it changes. When the view changes or a part goes it is sent again within a second.
 struct ReceiverLimits {
   std::size_t parts = std::size_t{1} << 16;
   std::uint64_t octets = std::uint64_t{1} << 30;
@@ -81,7 +83,8 @@ class MapReceiver {
   ShownChange take_change();
   /// Parts that entries announced and that have not arrived, ascending.
   std::vector<PartKey> lacking() const;
-  /// Parts that the sender cannot send as the view asks, ascending by key.
+  /// Parts that do not come as the view asks, as the sender told, ascending by key: kLimitExceeded for those
+  /// that this receiver refuses because of its limits, or that are too large to be sent. 65,536 at most.
   std::vector<PartFault> faults() const;
   /// Hash of the keys and octets of the parts shown.
   std::uint64_t hash() const;
