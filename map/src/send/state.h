@@ -54,6 +54,7 @@ struct MapSender::State {
   bool has_viewer(const PartKey& key, std::uint32_t version) const;
   Result<void> hear(std::span<const std::byte> bytes, double now);
   Result<void> hear_view(std::span<const std::byte> bytes, double now);
+  void forget_silent(double now);
   Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
   /// Begins a call of messages_for().

@@ -85,6 +85,18 @@ TEST_F(MapViewers, SilentOnesMakeRoom) {
   EXPECT_EQ(sender_->viewers(), std::vector<std::uint64_t>{100});
 }
 
+TEST_F(MapViewers, SilentOnesAreForgottenAlthoughNobodyElseSpeaks) {
+  for (const std::uint64_t viewer : {1, 2}) {
+    MapReceiver receiver(viewer, 1);
+    receiver.set_view(view_from(0));
+    talk(receiver, viewer);
+  }
+  ASSERT_EQ(sender_->viewers().size(), 2U);
+  for (const double end = now_ + 63; now_ < end; now_ += 0.5)
+    for (const std::uint64_t viewer : sender_->viewers()) EXPECT_TRUE(sender_->messages_for(viewer, now_));
+  EXPECT_TRUE(sender_->viewers().empty());
+}
+
 TEST_F(MapViewers, MAP15AViewThatComesAfterALaterReceiptCounts) {
   MapReceiver receiver(1, 1);
   receiver.set_view(view_from(0));
