@@ -2,11 +2,31 @@
 // Copyright 2026 The deltamesh authors
 //
 // What a receiver tells its sender [MAP-15, MAP-21].
+#include <utility>
+
+#include "part/view_cells.h"
 #include "receive/state.h"
 
 namespace deltamesh {
 
+void MapReceiver::State::drop_what_waits_in_vain() {
+  constexpr int kMostViews = 4;
+  if (!codec) return;
+  View places = view;
+  places.level = 0;  // parts below the view's level stay until copies come in their place
+  const std::map<PartKey, int> before = std::exchange(stuck, {});
+  for (const auto& [key, part] : parts.all()) {
+    if (part.waiting.empty() || is_in_view(key, places, codec->description())) continue;
+    const auto found = before.find(key);
+    stuck[key] = found == before.end() ? 1 : found->second + 1;
+  }
+  for (const auto& [key, views] : stuck)
+    if (views > kMostViews) parts.drop(key, touched);
+  settle();
+}
+
 Result<std::vector<std::byte>> MapReceiver::State::view_message() {
+  drop_what_waits_in_vain();
   ViewMessage message{.viewer = viewer,
                       .number = ++number,
                       .map_id = map_id,

@@ -97,6 +97,32 @@ TEST_F(MapViewers, SilentOnesAreForgottenAlthoughNobodyElseSpeaks) {
   EXPECT_TRUE(sender_->viewers().empty());
 }
 
+/// Of two that change together, and then are outside of the view, one is lost.
+TEST_F(MapViewers, MAP15WhatWaitsBesideTheViewGoesSoThatBothSidesKnowWhatIsShown) {
+  MapReceiver receiver(1, 1);
+  receiver.set_view(view_from(0));
+  talk(receiver, 1);
+  ASSERT_EQ(receiver.shown().size(), 4U);
+  Mesh left = square(0);
+  Mesh right = square(1);
+  for (const std::size_t corner : {1, 3}) left.positions[3 * corner + 2] = 0.25F;
+  for (const std::size_t corner : {0, 2}) right.positions[3 * corner + 2] = 0.25F;
+  ASSERT_TRUE(sender_->update(std::vector<MapBlock>{{{0, 0, 0}, left}, {{1, 0, 0}, right}}));
+  now_ += 0.3;
+  const auto messages = sender_->messages_for(1, now_);
+  ASSERT_TRUE(messages);
+  ASSERT_EQ(messages->size(), 2U);
+  ASSERT_TRUE(receiver.apply(messages->front()));
+  receiver.set_view(view_from(10));
+  talk(receiver, 1, 40);
+  EXPECT_EQ(receiver.hash(), sender_->hash(1));
+  EXPECT_EQ(receiver.shown().size(), 7U);
+  receiver.set_view(view_from(0));
+  talk(receiver, 1);
+  EXPECT_EQ(receiver.hash(), sender_->hash(1));
+  EXPECT_EQ(receiver.shown().size(), 8U);
+}
+
 TEST_F(MapViewers, MAP15AViewThatComesAfterALaterReceiptCounts) {
   MapReceiver receiver(1, 1);
   receiver.set_view(view_from(0));

@@ -77,7 +77,7 @@ class MapReceiver {
   const MapDescription* description() const noexcept;
   /// Where the map is; null: the sender has not said it.
   const MapPose* pose() const noexcept;
-  /// The part as it is shown, ready to draw, until the next apply(); null if it is not shown.
+  /// The part as it is shown, ready to draw, until the next call that is not const; null if it is not shown.
   const MapPart* find(const PartKey& key) const noexcept;
   std::vector<PartKey> shown() const;  ///< ascending
   ShownChange take_change();
@@ -89,7 +89,7 @@ class MapReceiver {
   /// Hash of the keys and octets of the parts shown.
   std::uint64_t hash() const;
 
-  /// All parts shown, ascending by key. Spans are valid until the next apply().
+  /// All parts shown, ascending by key. Spans are valid until the next call that is not const.
   std::vector<HeldPart> held() const;
   /// Takes what held() gave once: after the map's message and before the next messages(), so that the sender
   /// knows of it when it begins [MAP-16]. Errors: as apply().
