@@ -78,7 +78,8 @@ int main(int argc, char** argv) {
     for (ssize_t n; size = sizeof from, (n = recvfrom(link, datagram.data(), datagram.size(), 0,
                                                       reinterpret_cast<sockaddr*>(&from), &size)) >= 0;) {
       const std::span message(datagram.data(), n);
-      if (!sender->hear(message, time)) continue;
+      if (const auto heard = sender->hear(message, time); !heard)
+        std::fprintf(stderr, "%s\n", describe(heard.error()).c_str());
       if (const auto view = read_view(message)) addresses[view->viewer] = from;
     }
     for (const std::uint64_t viewer : sender->viewers()) {

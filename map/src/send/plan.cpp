@@ -5,6 +5,7 @@
 #include "base/try.h"
 #include "lattice/borders_of_links.h"
 #include "part/view_cells.h"
+#include "part/view_quality.h"
 #include "send/viewer_state.h"
 #include "send/wanted_parts.h"
 
@@ -28,6 +29,7 @@ class Planner {
 
   Result<SendPlan> run() {
     WantedParts parts = wanted_parts(viewer_, map_, encodings_.codec().description(), seen_);
+    const auto asked = check_view(viewer_.view, encodings_.codec().description());
     for (auto next = parts.wanted.begin(); next != parts.wanted.end();) {
       const PartKey key = *next++;
       const Error* fault = encodings_.fault(*map_.find(key), viewer_.view);
@@ -37,6 +39,8 @@ class Planner {
         plan_.faults.push_back({key, fault->code, fault->message, fault->best_value});
       } else if (refused != nullptr) {
         plan_.faults.push_back({key, ErrorCode::kLimitExceeded, "the receiver did not keep it"});
+      } else if (!asked && asked.error().code == ErrorCode::kInvalidArgument) {  // of all parts
+        plan_.faults.push_back({key, ErrorCode::kUnmetRequest, asked.error().message});
       }
       if (is_impossible || (refused != nullptr && now_ < refused->again_at))
         parts.others.insert(parts.wanted.extract(key));

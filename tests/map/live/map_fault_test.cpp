@@ -65,6 +65,22 @@ class MapFault : public testing::Test {
     }
   }
 
+  /// The receiver gets all parts, and is told what is wrong with them, although its views are errors.
+  void expect_served(ErrorCode heard_as) {
+    for (int i = 0; i < 4; ++i) {
+      now_ += 1;
+      const auto heard = sender_->hear(*receiver_.view_message(), now_);
+      EXPECT_TRUE(!heard && heard.error().code == heard_as);
+      const auto messages = sender_->messages_for(1, now_);
+      ASSERT_TRUE(messages) << describe(messages.error());
+      for (const Bytes& message : *messages) ASSERT_TRUE(receiver_.apply(message));
+    }
+    EXPECT_EQ(receiver_.shown(), sender_->keys());
+    EXPECT_EQ(receiver_.hash(), sender_->hash(1));
+    EXPECT_EQ(receiver_.faults().size(), sender_->faults_of(1).size());
+    for (const PartFault& fault : receiver_.faults()) EXPECT_EQ(fault.code, ErrorCode::kUnmetRequest);
+  }
+
   std::unique_ptr<MapSender> sender_;
   MapReceiver receiver_;
   View view_;
@@ -115,6 +131,41 @@ TEST_F(MapFault, MAP22AnErrorThatCannotBeKeptGivesTheBestThatCan) {
   talk();
   EXPECT_EQ(sender_->counts().encoded, encoded);
   EXPECT_EQ(sender_->counts().parts_sent, sent);
+}
+
+/// Of a view from the beginning, and of one that comes later.
+TEST_F(MapFault, MAP22AViewWithABoundThatTheLatticeDoesNotAllowIsServedAndTold) {
+  for (int i = 0; i < 2; ++i) {
+    view_.max_error = 0.0001F;
+    receiver_.set_view(view_);
+    const auto heard = sender_->hear(*receiver_.view_message(), now_ += 1);
+    ASSERT_FALSE(heard);
+    EXPECT_EQ(heard.error().code, ErrorCode::kUnmetRequest);
+    expect_served(ErrorCode::kUnmetRequest);
+    EXPECT_EQ(receiver_.faults().size(), 3U);
+    ASSERT_TRUE(set(1, noise(1, 5U + static_cast<std::uint32_t>(i))));
+    expect_served(ErrorCode::kUnmetRequest);
+    ASSERT_NE(receiver_.find(kMiddle), nullptr);
+    EXPECT_EQ(receiver_.find(kMiddle)->mesh.triangle_count(), i == 0 ? 50U : 72U);
+    view_.max_error = 0.002F;
+    receiver_.set_view(view_);
+    talk();
+    EXPECT_TRUE(receiver_.faults().empty());
+  }
+}
+
+TEST_F(MapFault, MAP22AViewWithABoundOfAnAttributeThatTheMapDoesNotHaveIsServedAndTold) {
+  view_.attribute_errors = {1};
+  receiver_.set_view(view_);
+  const auto heard = sender_->hear(*receiver_.view_message(), now_ += 1);
+  ASSERT_FALSE(heard);
+  EXPECT_EQ(heard.error().where_kind, WhereKind::kAttribute);
+  expect_served(ErrorCode::kInvalidArgument);
+  EXPECT_EQ(receiver_.faults().size(), 3U);
+  view_.attribute_errors.clear();
+  receiver_.set_view(view_);
+  talk();
+  EXPECT_TRUE(receiver_.faults().empty());
 }
 
 TEST_F(MapFault, MAP22AnErrorOfAnUpdateNamesTheBlock) {

@@ -87,9 +87,11 @@ class MapSender {
 
   /// Takes a message of a receiver: a view, a receipt, or a fragment of one. Receipts of unknown viewers have
   /// no effect. Errors: 1xx codes, kInvalidArgument (of another map, or of too many epochs), kLimitExceeded
-  /// (too many viewers), kUnmetRequest (a largest error below what the lattice allows), kOutOfMemory. Of
-  /// bounds that the map's attributes do not have Error::where is the attribute; parts that cannot keep a
-  /// bound are named by faults_of().
+  /// (too many viewers), kOutOfMemory: the message has no effect, and a receiver whose views are refused so
+  /// gets nothing and is not told. Errors of bounds, each time that a view asks for them: kUnmetRequest (a
+  /// largest error below what the lattice allows; Error::best_value), kInvalidArgument with Error::where_kind
+  /// kAttribute (a bound that this attribute of the map does not have): the view is taken, and served as well
+  /// as can be. Parts that cannot keep a bound are named by faults_of(), and by the receiver's faults().
   Result<void> hear(std::span<const std::byte> message, double now) noexcept;
   /// Drops a viewer; its next view begins anew. So does one that is silent for too long, and a number that is
   /// used again by a receiver that has nothing yet.
