@@ -57,8 +57,10 @@ class MapReceiver {
   /// Drops a part. The sender sends it again only if it is in the view.
   void drop(const PartKey& key);
 
-  /// Sets the request. Parts outside the view stay until others take their place or need their room. Default:
-  /// the whole map.
+  /// Sets the request. Parts outside the view stay as they are until others take their place, need their room
+  /// or no longer fit to them: a part in the view that changes across the view's edge. Those that have begun
+  /// to change go after a few seconds where the rest of the change is not asked for any more. Default: the
+  /// whole map.
   void set_view(const View& view);
   const View& view() const noexcept;
 
