@@ -162,8 +162,9 @@ std::optional<LoadedStream> load_stream(const std::string& path, int& status, un
     return std::nullopt;
   }
   Result<Mesh> mesh = decode_showing_progress(*bytes, threads);
-  if (mesh) return LoadedStream{*std::move(mesh), inspect(*bytes)->keeps_order};
-  status = fail(path, mesh.error());
+  const Result<StreamInfo> info = inspect(*bytes);
+  if (mesh && info) return LoadedStream{*std::move(mesh), info->keeps_order};
+  status = fail(path, mesh ? info.error() : mesh.error());
   return std::nullopt;
 }
 

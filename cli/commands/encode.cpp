@@ -159,7 +159,7 @@ int run_encode(const EncodeArguments& arguments) {
         options.quality.target_bytes ? exact_names(imported->mesh, options.attributes) : std::string();
     const ExitCode code = fail_coding(arguments.in, encoded.error());
     if (code == kUnmetRequest && !exact.empty())
-      print_error("--target-bytes", "exact, for --attribute-error gives no bound:" + exact);
+      print_error("--target-bytes", "kept exact because --attribute-error names no bound:" + exact);
     return code;
   }
   if (arguments.files.strict && encoded->report.dropped_lengths > 0) {

@@ -27,6 +27,7 @@ std::optional<MapLock> MapLock::take(const std::string& folder, int& status) {
   }
   // Some file systems have no locks: there a user has to see to it.
   if (flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return lock;
+  lock.made_.clear();  // the other one's now
   print_error(folder, "another run is changing this map; try again when it has ended");
   status = kCannotWrite;
   return std::nullopt;

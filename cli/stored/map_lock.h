@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// One run of the program at a time changes a map.
+// One run of the program at a time gives a map a new state.
 #pragma once
 
 #include <optional>

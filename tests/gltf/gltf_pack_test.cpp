@@ -27,6 +27,17 @@ using test::signed_area;
 using test::unpack_ok;
 using test::with_fallback;
 
+TEST(GltfPack, LeavesListsOfNoWholeTrianglesAsTheyAre) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(10));
+  const auto indices = builder.json["meshes"][0]["primitives"][0]["indices"].get<std::size_t>();
+  Json& count = builder.json["accessors"][indices]["count"];
+  count = count.get<std::size_t>() - 1;
+  const GltfReport report = pack_ok(builder.glb()).report;
+  EXPECT_EQ(report.converted, 0U);
+  EXPECT_EQ(report.not_triangles, 1U);
+}
+
 TEST(GltfPack, CompressesASheetAndBringsItBack) {
   GltfBuilder builder;
   const Sheet sheet = make_sheet(40);

@@ -75,7 +75,7 @@ const NamedBound* find_bound(const AttributeView& attribute, const AttributeQual
   return found == all.end() ? nullptr : &*found;
 }
 
-double uncut_bound(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
+double asked_bound(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
   switch (attribute.kind) {
     case AttributeKind::kNormal:
       return std::min(quality.normal_error, kMostAngle);
@@ -124,7 +124,7 @@ double color_unit(ComponentType type) noexcept {
 }
 
 double bound_of(const AttributeView& attribute, const AttributeQuality& quality) noexcept {
-  return std::min(uncut_bound(attribute, quality), kLargestBound);
+  return std::min(asked_bound(attribute, quality), kLargestBound);
 }
 
 std::optional<double> mean_bound_of(const AttributeView& attribute,

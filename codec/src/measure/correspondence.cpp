@@ -118,6 +118,7 @@ std::vector<std::uint32_t> order_of(const FaceGraph& a, const FaceGraph& b,
     }
   }
   if (std::find(order.begin(), order.end(), kUnmatched) == order.end()) return order;
+  if (b.real_faces == 0) return {};
   // Vertices that no face uses count where each has one in A.
   std::vector<std::uint32_t> of_faces(order.size(), kUnmatched);
   for (const std::uint32_t v : std::span(b.vertices).first(3 * b.real_faces)) {

@@ -68,7 +68,7 @@ struct GltfReport {
   std::uint64_t primitives = 0;     ///< in the asset
   std::uint64_t converted = 0;      ///< compressed, or decompressed
   std::uint64_t streams = 0;        ///< primitives of one mesh share one stream
-  std::uint64_t not_triangles = 0;  ///< left as they are: points, lines, nothing to draw, or no positions
+  std::uint64_t not_triangles = 0;  ///< left as they are: points, lines, no whole triangles, or no positions
   std::uint64_t not_float_positions = 0;  ///< left as they are: positions of a type that glTF does not have
   std::uint64_t otherwise_compressed =
       0;  ///< left as they are: their data is in another extension's or already in this extension's streams
@@ -113,9 +113,9 @@ struct GltfOutput {
 /// attributes stay what they are. Triangles of converted primitives may change order, vertices that are equal
 /// in all attributes become one unless order or unreferenced vertices are kept, and without `fallback` only a
 /// reader that knows the extension can read the result. Errors: kInvalidFile (the element is named where
-/// there is one), kInvalidArgument (options, or all meshes are compressed by another extension), kInvalidMesh
-/// and kNotFinite (`where`: the vertex or primitive; `found` names the primitive), kLimitExceeded,
-/// kUnmetRequest, kFileOpen, kOutOfMemory, and what `io.resolve` returns.
+/// there is one; also if all meshes are compressed by another extension), kInvalidArgument (options),
+/// kInvalidMesh and kNotFinite (`where`: the vertex or primitive; `found` names the primitive),
+/// kLimitExceeded, kUnmetRequest, kFileOpen, kOutOfMemory, and what `io.resolve` returns.
 Result<GltfOutput> pack_gltf(std::span<const std::byte> asset, const GltfPackOptions& options,
                              const GltfIo& io = {}) noexcept;
 

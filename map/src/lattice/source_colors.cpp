@@ -14,6 +14,11 @@ constexpr double kMostErrorOfMean = 12;
 /// More than what rounding to f32 adds to a difference of levels.
 constexpr double kFloatRounding = 1.0 / 64;
 
+/// Of types finer than levels, to which values are rounded first.
+std::uint32_t step_of_levels(double most) noexcept {
+  return static_cast<std::uint32_t>(std::max(2 * (most - kFloatRounding) - 1, 0.0));
+}
+
 BorderColors colors_of(const Attribute& source, std::uint32_t step, std::span<const BorderVertex> border,
                        std::span<const std::uint32_t> order) {
   BorderColors colors{.step = step};
@@ -35,10 +40,10 @@ std::uint32_t border_step(ComponentType type, const AttributeQuality& quality) n
   if (quality.color_rms) {
     // Whatever the colours are, rounding is off by no more than the mean error.
     const double most = std::min(*quality.color_rms, kMostErrorOfMean);
-    return is_whole ? 2 * static_cast<std::uint32_t>(most) + 1 : static_cast<std::uint32_t>(2 * most);
+    return is_whole ? 2 * static_cast<std::uint32_t>(most) + 1 : step_of_levels(most);
   }
   const double bound = std::min(quality.color_error.value_or(0), kMostBorderStep / 2.0);
-  if (!is_whole) return static_cast<std::uint32_t>(std::max(2 * (bound - kFloatRounding), 0.0));
+  if (!is_whole) return step_of_levels(bound);
   return bound < 1 ? 0 : 2 * static_cast<std::uint32_t>(bound) + 1;
 }
 

@@ -36,6 +36,7 @@ Result<std::vector<std::vector<std::byte>>> MapReceiver::messages(double now) no
     std::vector<std::vector<std::byte>> messages;
     const Talk::Turn turn = state_->talk.turn(now, state_->arrivals.has_any());
     if (turn == Talk::Turn::kView) {
+      state_->drop_stuck(now);
       DELTAMESH_TRY(messages.emplace_back(), state_->view_message());
     } else if (turn == Talk::Turn::kReceipt) {
       DELTAMESH_TRY(messages.emplace_back(), state_->receipt_message());

@@ -9,24 +9,23 @@
 
 namespace deltamesh {
 
-void MapReceiver::State::drop_what_waits_in_vain() {
-  constexpr int kMostViews = 4;
+void MapReceiver::State::drop_stuck(double now) {
+  constexpr double kLong = 4;  // seconds, some round trips
   if (!codec) return;
   View places = view;
   places.level = 0;  // parts below the view's level stay until copies come in their place
-  const std::map<PartKey, int> before = std::exchange(stuck, {});
+  const std::map<PartKey, double> before = std::exchange(stuck_since, {});
   for (const auto& [key, part] : parts.all()) {
     if (part.waiting.empty() || is_in_view(key, places, codec->description())) continue;
     const auto found = before.find(key);
-    stuck[key] = found == before.end() ? 1 : found->second + 1;
+    stuck_since[key] = found == before.end() ? now : found->second;
   }
-  for (const auto& [key, views] : stuck)
-    if (views > kMostViews) parts.drop(key, touched);
+  for (const auto& [key, since] : stuck_since)
+    if (now - since > kLong) parts.drop(key, touched);
   settle();
 }
 
 Result<std::vector<std::byte>> MapReceiver::State::view_message() {
-  drop_what_waits_in_vain();
   ViewMessage message{.viewer = viewer,
                       .number = ++number,
                       .map_id = map_id,

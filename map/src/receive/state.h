@@ -48,7 +48,7 @@ struct MapReceiver::State {
   std::map<PartKey, ToldFault> faults{};         ///< as the sender told
   std::optional<PoseMessage> pose{};             ///< the last one
   std::set<PartKey> touched{};                   ///< since the last take_change()
-  std::map<PartKey, int> stuck{};  ///< parts beside the view that wait: how many views in a row told so
+  std::map<PartKey, double> stuck_since{};       ///< parts beside the view that wait; seconds
 
   Result<void> apply(std::span<const std::byte> message);
   /// Applies the early messages whose content has come, and those that wait for what these bring. Errors: the
@@ -70,8 +70,8 @@ struct MapReceiver::State {
   bool is_mine(std::uint64_t of_start, std::uint64_t message_number);
   void forget_arrivals();
   /// What a part beside the view waits for may never be asked for again, and the sender cannot know what is
-  /// shown of it: it goes after some views.
-  void drop_what_waits_in_vain();
+  /// shown of it: it goes after some seconds.
+  void drop_stuck(double now);
   Result<std::vector<std::byte>> view_message();
   Result<std::vector<std::byte>> receipt_message();
   Result<void> check_map(std::uint64_t hash) const;

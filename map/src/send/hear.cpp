@@ -77,16 +77,12 @@ Result<void> MapSender::State::hear_view(std::span<const std::byte> bytes, doubl
   return asked;
 }
 
-void MapSender::State::forget_silent(double now) {
-  std::erase_if(viewers, [&](const auto& v) { return now - v.second.heard > options.viewer_seconds; });
-}
-
 /// The record of the receiver that sent a view; null: the view is old. Errors: kLimitExceeded.
 Result<Viewer*> MapSender::State::viewer_of(const ViewMessage& message, double now) {
   std::uint64_t told = std::max(message.start, map.revision());
   for (const HeldVersion& held : message.held) told = std::max(told, held.revision);
   if (told >= kMostTold) return invalid_argument("a view of a start or a revision that no sender has");
-  forget_silent(now);
+  std::erase_if(viewers, [&](const auto& v) { return now - v.second.heard > options.viewer_seconds; });
   bool is_known = message.start >= start;
   if (const auto found = viewers.find(message.viewer); found != viewers.end()) {
     Viewer& viewer = found->second;

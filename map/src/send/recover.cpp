@@ -56,14 +56,11 @@ void note_refused(Viewer& viewer, const std::map<PartKey, Believed>& before, dou
     if (believed.stage == Stage::kSent) continue;
     const auto has = viewer.has.find(key);
     const bool is_there = has != viewer.has.end() && has->second.revision >= believed.revision;
-    SentPart& sent = viewer.sent[key];
-    if (is_there && has->second.stage == Stage::kTold && has->second.revision >= sent.revision)
-      sent.refusals = 0;
     if (is_there || believed.stage != Stage::kArrived) continue;
     if (believed.is_gone) {
       viewer.retry_refused(now);
     } else {
-      sent.refuse(now);
+      viewer.sent[key].refuse(now);
     }
   }
 }
@@ -103,6 +100,7 @@ void take_held(Viewer& viewer, const std::vector<HeldVersion>& held, double now)
       viewer.has[version.key] = known->second;  // until what comes in its place is there
       continue;
     }
+    if (version.revision >= sent.revision) sent.refusals = 0;
     const bool is_the_same = known != before.end() && !known->second.is_gone &&
                              known->second.version == version.version &&
                              known->second.since <= version.revision;

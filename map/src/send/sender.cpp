@@ -103,7 +103,7 @@ Result<std::vector<std::vector<std::byte>>> MapSender::messages_for(std::uint64_
       state_->total.spend(sum);
     }
     DELTAMESH_CHECK(added);
-    state_->forget_silent(now);  // the viewer as well: not before, as callers go through viewers()
+    if (now - viewer.heard > state_->options.viewer_seconds) state_->viewers.erase(found);
     return pieces;
   });
 }

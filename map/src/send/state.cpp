@@ -72,7 +72,9 @@ Result<void> MapSender::State::make_version(const PartKey& key, ChosenVersion ch
   links_made += links.size();
   SentPart& sent = viewer.sent[key];
   sent.add(part_box(encoding->decoded.mesh));
-  if (std::exchange(sent.content, source.content_revision) != source.content_revision) sent.refusals = 0;
+  if (std::exchange(sent.content, source.content_revision) != source.content_revision)
+    sent.refusals = std::min(sent.refusals, 1U);  // other content, which may fit
+
   const std::uint64_t number = viewer.delivery.next_number();
   viewer.has[key] = {.revision = revision,
                      .since = is_the_same ? before->since : revision,
@@ -184,26 +186,41 @@ Result<void> MapSender::State::send_what_is_due(Viewer& viewer, double now,
     }
     if (!is_complete) continue;
     counts.kept += plan.kept;
-    DELTAMESH_CHECK(tell_faults(std::move(plan.faults), viewer, now, messages));
+    DELTAMESH_CHECK(tell_faults(plan.faults, viewer, now, messages));
   }
   return {};
 }
 
-/// Tells the receiver what is new of faults.
-Result<void> MapSender::State::tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
+/// Tells the receiver what is new of faults, some at a time: parts do not wait for all of them.
+Result<void> MapSender::State::tell_faults(const std::vector<PartFault>& faults, Viewer& viewer, double now,
                                            std::vector<std::vector<std::byte>>& messages) {
-  std::map<PartKey, std::uint16_t> told;
-  for (const PartFault& fault : viewer.faults) told[fault.key] = 0;
-  for (const PartFault& fault : faults) told[fault.key] = static_cast<std::uint16_t>(fault.code);
-  for (const auto& [key, code] : told) {
-    const auto before = std::ranges::find(viewer.faults, key, &PartFault::key);
-    if (before != viewer.faults.end() && static_cast<std::uint16_t>(before->code) == code) continue;
-    const std::uint64_t number = viewer.delivery.next_number();
-    DELTAMESH_TRY(auto message, write_fault({description_hash, viewer.begin, number, key, code}));
-    viewer.delivery.add({key, std::move(message), viewer.believed(key)});
+  constexpr int kMostAtOnce = 64;
+  struct News {
+    const PartFault* before = nullptr;
+    const PartFault* after = nullptr;
+  };
+  std::map<PartKey, News> all;
+  for (const PartFault& fault : viewer.faults) all[fault.key].before = &fault;
+  for (const PartFault& fault : faults) all[fault.key].after = &fault;
+  const auto code_of = [](const PartFault* fault) {
+    return fault != nullptr ? static_cast<std::uint16_t>(fault->code) : std::uint16_t{0};
+  };
+  std::vector<PartFault> told;
+  int left = kMostAtOnce;
+  for (const auto& [key, news] : all) {
+    const bool is_new = code_of(news.before) != code_of(news.after);
+    if (is_new && left > 0) {
+      const std::uint64_t number = viewer.delivery.next_number();
+      DELTAMESH_TRY(auto message,
+                    write_fault({description_hash, viewer.begin, number, key, code_of(news.after)}));
+      viewer.delivery.add({key, std::move(message), viewer.believed(key)});
+    }
+    const PartFault* const said = is_new && left == 0 ? news.before : news.after;
+    if (said != nullptr) told.push_back(*said);
+    left -= is_new && left > 0 ? 1 : 0;
   }
   viewer.send_made(now, messages);
-  viewer.faults = std::move(faults);
+  viewer.faults = std::move(told);
   return {};
 }
 

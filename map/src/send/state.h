@@ -54,7 +54,6 @@ struct MapSender::State {
   bool has_viewer(const PartKey& key, std::uint32_t version) const;
   Result<void> hear(std::span<const std::byte> bytes, double now);
   Result<void> hear_view(std::span<const std::byte> bytes, double now);
-  void forget_silent(double now);
   Result<Viewer*> viewer_of(const ViewMessage& message, double now);
   Result<void> hear_receipt(std::span<const std::byte> bytes, double now);
   /// Begins a call of messages_for().
@@ -74,7 +73,7 @@ struct MapSender::State {
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_pose(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
-  Result<void> tell_faults(std::vector<PartFault> faults, Viewer& viewer, double now,
+  Result<void> tell_faults(const std::vector<PartFault>& faults, Viewer& viewer, double now,
                            std::vector<std::vector<std::byte>>& messages);
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;
   const KnownVersion* base_for(const Viewer& viewer, const PartKey& key) const;

@@ -63,6 +63,14 @@ quiet encode long.ply wide.dmsh --normal-error 60
 quiet encode long.ply wider.dmsh --normal-error 170
 cmp wide.dmsh wider.dmsh && say "equal"
 list
+awk 'BEGIN {
+  print "ply\nformat ascii 1.0\nelement vertex 1600\nproperty float x\nproperty float y\nproperty float z\nproperty float intensity"
+  print "element face 1521\nproperty list uchar int vertex_indices\nend_header"
+  for (i = 0; i < 1600; ++i) print i % 40, int(i / 40), 0, sin(i * i)
+  for (i = 0; i < 1560; ++i) if (i % 40 < 39) print 3, i, i + 1, i + 40
+}' >scan.ply
+figures encode scan.ply scan.dmsh --target-bytes 2000
+status encode scan.ply scan.dmsh --target-bytes 2000 --attribute-error intensity=0.1
 # Nothing is said of colours: photographs are kept to a mean error, labels exactly.
 quiet generate rooms rooms.ply --vertices 3000
 attributes encode rooms.ply rooms.dmsh

@@ -143,6 +143,16 @@ TEST(Compare, DoesNotMissVerticesThatNoFaceUses) {
   }
 }
 
+TEST(Compare, TakesPointsForVerticesThatCount) {
+  Mesh a;
+  a.positions = {0, 0, 0, 1, 0, 0};
+  Mesh b;
+  b.positions = {0, 0, 0, 5, 5, 5, 9, 9, 9};
+  const auto result = compare(a, b);
+  EXPECT_FALSE(result && result->corresponding);
+  EXPECT_FALSE(compare(Mesh{}, b));
+}
+
 /// Their numbers are alike in every order.
 TEST(Compare, FindsTheOrderOfFacesWithoutCommonVertices) {
   constexpr std::uint32_t kFaces = 100;

@@ -134,7 +134,7 @@ class Assembly {
       DELTAMESH_TRY(const std::uint64_t corners, corner_count(*primitive, sets_[set->second].count));
       if (primitive->mode == TriangleMode::kList && corners % 3 != 0)
         imported_.report.leave_out(LeftOutKind::kFaces, "of fewer than three corners");
-      DELTAMESH_CHECK(reserve(quarters_, (corners + 3) / 4));  // as large as a value
+      DELTAMESH_CHECK(reserve(quarters_, corners / 4 + 1));  // as large as a value
       imported_.report.uv_scale = std::max(imported_.report.uv_scale, uv_scale_of(document_.json, json));
       parts_.push_back({*primitive, set->second, groups_.number_of(json, placement.mesh)});
     }

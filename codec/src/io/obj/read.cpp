@@ -88,13 +88,10 @@ class ObjReader {
     return {};
   }
 
-  /// ZBrush writes colours as comments, 64 vertices each.
+  /// ZBrush writes colours as comments.
   void leave_out_polypaint() {
-    constexpr std::string_view kPolypaint = "\n#MRGB ";
-    std::uint64_t lines = 0;
-    for (std::size_t at = text_.find(kPolypaint); at != text_.npos; at = text_.find(kPolypaint, at + 1))
-      ++lines;
-    report_.leave_out(LeftOutKind::kVertexValues, "polypaint (#MRGB)", lines);
+    if (text_.find("#MRGB ") != text_.npos)
+      report_.leave_out(LeftOutKind::kElements, "polypaint, colours in comments (#MRGB)");
   }
 
   /// The first word behind a statement's, having passed the others.

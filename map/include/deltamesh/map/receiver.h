@@ -20,7 +20,7 @@ namespace deltamesh {
 
 /// Upper limits of what a receiver holds. Parts outside of the view, the farthest first, make room for those
 /// in it; messages that would still exceed a limit are refused. The sender notices: a part that was refused
-/// twice is one of faults(), goes where an older version is held, and is sent again ever more rarely, until
+/// twice is one of faults(), an older version of it is removed, and it is sent again ever more rarely, until
 /// it changes. When the view changes or a part goes it is sent again within a second.
 struct ReceiverLimits {
   std::size_t parts = std::size_t{1} << 16;

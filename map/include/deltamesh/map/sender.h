@@ -28,8 +28,8 @@ struct SenderOptions {
   GeometryCoder geometry = GeometryCoder::kAuto;
   /// Views of more are refused, unless another viewer has been silent for 5 seconds and makes room.
   std::size_t most_viewers = 64;
-  /// A viewer that is not heard for so long is forgotten, at the next hear() or messages_for(), whosever it
-  /// is; above 0.
+  /// A viewer that is not heard for so long is forgotten, at the next messages_for() of it or hear() of any;
+  /// above 0.
   double viewer_seconds = 60;
   /// To all receivers together, in any second; 0: no limit. A call of messages_for() takes its share of what
   /// is left: one of as many as there are viewers.
