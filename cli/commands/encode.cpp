@@ -32,7 +32,7 @@ struct EncodeArguments {
   EncodeOptions options;
 };
 
-/// Of attributes that stay exact as nothing is asked of them, each behind a blank.
+/// Names of the attributes that stay exact because they have no bound, each after a blank.
 std::string exact_names(const Mesh& mesh, const AttributeQuality& quality) {
   std::string names;
   for (const Attribute& attribute : mesh.attributes) {

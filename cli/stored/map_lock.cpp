@@ -25,9 +25,9 @@ std::optional<MapLock> MapLock::take(const std::string& folder, int& status) {
     status = kCannotWrite;
     return std::nullopt;
   }
-  // Some file systems have no locks: there a user has to see to it.
+  // Some file systems have no locks; there nothing keeps two runs apart.
   if (flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return lock;
-  lock.made_.clear();  // the other one's now
+  lock.made_.clear();  // it belongs to the other run
   print_error(folder, "another run is changing this map; try again when it has ended");
   status = kCannotWrite;
   return std::nullopt;

@@ -9,8 +9,8 @@
 
 namespace deltamesh::cli {
 
-/// As long as one lives, no other can be taken of its folder. Makes the folder; one that it made and that is
-/// still empty in the end goes again.
+/// While this object lives, no other run can lock the folder. Creates the folder, and removes what it created
+/// if that is still empty in the end.
 class MapLock {
  public:
   /// Nothing, and an error on the terminal, where another run has it or the folder cannot be made.

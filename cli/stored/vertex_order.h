@@ -16,8 +16,8 @@ namespace deltamesh::cli {
 std::vector<std::byte> order_bytes(std::span<const std::uint32_t> order,
                                    std::span<const std::uint32_t> file_vertices);
 
-/// The same back; vertices that were dropped get a number that no mesh has. Empty with `status` set where the
-/// file is bad.
+/// Reads such a file. A dropped vertex becomes an index that is out of range in any mesh. Empty, with
+/// `status` set, where the file is bad.
 std::vector<std::uint32_t> load_order(const std::string& path, std::span<const std::uint32_t> file_vertices,
                                       int& status);
 

@@ -140,7 +140,7 @@ void compare_vertices(const MeshView& a, const MeshView& b, std::span<const std:
   result.diagonal = original.diagonal();
   std::vector<Vec3> decoded = positions_relative_to(a.origin, b, roundings.b);
   for (std::size_t v = 0; v < order.size(); ++v)
-    if (order[v] == kUnmatched) decoded[v] = original.positions[v];  // without an error
+    if (order[v] == kUnmatched) decoded[v] = original.positions[v];  // counts as exact
   const std::vector<Vec3> decoded_normals = vertex_normals(decoded, b.triangles, original.weld_groups());
 
   const std::vector<std::uint32_t>& representative = original.weld.representative;

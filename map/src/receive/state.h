@@ -69,8 +69,8 @@ struct MapReceiver::State {
   /// Whether a message is of the start whose messages are taken; takes note of its number.
   bool is_mine(std::uint64_t of_start, std::uint64_t message_number);
   void forget_arrivals();
-  /// What a part beside the view waits for may never be asked for again, and the sender cannot know what is
-  /// shown of it: it goes after some seconds.
+  /// Drops parts outside the view that have waited for more than four seconds: what they wait for may never
+  /// be requested again, and the sender cannot know which version is shown.
   void drop_stuck(double now);
   Result<std::vector<std::byte>> view_message();
   Result<std::vector<std::byte>> receipt_message();

@@ -50,7 +50,8 @@ Result<void> MapSender::State::hear_view(std::span<const std::byte> bytes, doubl
   DELTAMESH_TRY(const ViewMessage told, read_view(bytes));
   const MapDescription& of = encodings.codec().description();
   if (told.map_id != of.id) return invalid_argument("a view of another map");
-  const Result<void> asked = check_view(told.view, of);  // it is served as well as can be all the same
+  const Result<void> asked =
+      check_view(told.view, of);  // a bad bound does not stop the view from being served
   if (told.map != 0 && told.map != description_hash && told.epoch >= of.epoch)
     DELTAMESH_CHECK(begin_epoch(told.epoch));
   DELTAMESH_TRY(Viewer* const found, viewer_of(told, now));

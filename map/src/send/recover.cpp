@@ -50,13 +50,12 @@ std::size_t lost_at_the_end(const Viewer& viewer, const PartKey& key, Numbers se
   return count;
 }
 
-/// Tells what the receiver has got and not kept by what it had `before` it told what it holds.
+/// Finds what arrived and the receiver did not keep. `before`: what it was believed to have before it told.
 void note_refused(Viewer& viewer, const std::map<PartKey, Believed>& before, double now) {
   for (const auto& [key, believed] : before) {
-    if (believed.stage == Stage::kSent) continue;
+    if (believed.stage != Stage::kArrived) continue;
     const auto has = viewer.has.find(key);
-    const bool is_there = has != viewer.has.end() && has->second.revision >= believed.revision;
-    if (is_there || believed.stage != Stage::kArrived) continue;
+    if (has != viewer.has.end() && has->second.revision >= believed.revision) continue;
     if (believed.is_gone) {
       viewer.retry_refused(now);
     } else {

@@ -95,7 +95,8 @@ Attribute to_attribute(AttributeKind kind, ComponentType type, std::size_t compo
 }
 
 /// Colours, judged when all are known: whole numbers from 0 to 255 are bytes; anything else are real numbers.
-/// None above 1 would be black as bytes: programs write 0 and 1 for 0.0 and 1.0.
+/// If none exceeds 1 they are real numbers, too: bytes would be black, and programs write 0 and 1 for 0.0 and
+/// 1.0.
 struct Colors {
   std::vector<double> values{};
   std::size_t components = 0;

@@ -108,9 +108,10 @@ class MapSender {
   /// kInvalidArgument (unknown viewer), kOutOfMemory; parts that cannot be encoded are faults_of().
   Result<std::vector<std::vector<std::byte>>> messages_for(std::uint64_t viewer, double now) noexcept;
 
-  /// Parts that the receiver does not get as it asked, as of the last messages_for(); ascending by key. The
-  /// receiver is told as well. All other parts come as if these were not there. kLimitExceeded with "the
-  /// receiver did not keep it": it refused the part twice (ReceiverLimits), and gets it again after 1, 4, 16
+  /// Parts that the receiver does not get as it asked, as of the last messages_for(); ascending by key. Each
+  /// call tells the receiver up to 64 changes, and lists those that were told. All other parts come as if
+  /// these were not there. kLimitExceeded with "the receiver did not keep it": it refused the part twice
+  /// (ReceiverLimits), and gets it again after 1, 4, 16
   /// ... 1024 seconds, or within a second where it may have room.
   std::vector<PartFault> faults_of(std::uint64_t viewer) const;
 
