@@ -42,8 +42,8 @@ for (const path of readdirSync(packages, { recursive: true }).filter((path) => p
   });
 }
 
-/** Largest sizes of what is packed, bytes. */
-const PACKED = { decoder: 1398000, encoder: 993000 };
+/** Largest sizes of what is packed, bytes: about 1 % above what it is. */
+const PACKED = { decoder: 1410000, encoder: 1000000 };
 const PACKED_OTHERS = 12000;
 
 const typesOf = (path) => path.replace(/\.js$/, '.d.ts');
