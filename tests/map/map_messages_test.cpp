@@ -134,10 +134,11 @@ TEST(MapMessages, MAP18PatchesComeBackWithTheirBase) {
 }
 
 TEST(MapMessages, MAP16StartsComeBack) {
-  const auto bytes = write_start({.map = 3, .start = 300});
+  const auto bytes = write_start({.map = 3, .start = 300, .number = 7});
   ASSERT_TRUE(bytes);
   EXPECT_EQ(read_start(*bytes)->map, 3U);
   EXPECT_EQ(read_start(*bytes)->start, 300U);
+  EXPECT_EQ(read_start(*bytes)->number, 7U);
   expect_every_damage_found(*bytes, [](const Bytes& b) { return bool{read_start(b)}; });
 }
 

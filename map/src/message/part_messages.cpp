@@ -68,6 +68,7 @@ Result<std::vector<std::byte>> write_start(const StartMessage& message) noexcept
     ByteWriter out = begin_message(MessageKind::kStart);
     out.write(message.map);
     out.write_varint(message.start);
+    out.write_varint(message.number);
     return end_message(std::move(out));
   });
 }
@@ -79,6 +80,7 @@ Result<StartMessage> read_start(std::span<const std::byte> message) noexcept {
     StartMessage start;
     DELTAMESH_TRY(start.map, in.read<std::uint64_t>());
     DELTAMESH_TRY(start.start, in.read_varint());
+    DELTAMESH_TRY(start.number, in.read_varint());
     DELTAMESH_CHECK(in.finish());
     return start;
   });

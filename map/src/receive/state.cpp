@@ -62,9 +62,11 @@ Result<void> MapReceiver::State::apply(std::span<const std::byte> message) {
 Result<void> MapReceiver::State::apply_start(std::span<const std::byte> message) {
   DELTAMESH_TRY(const StartMessage told, read_start(message));
   DELTAMESH_CHECK(check_map(told.map));
-  if (told.start <= start) return {};
-  start = told.start;
-  forget_arrivals();
+  if (told.start > start) {
+    start = told.start;
+    forget_arrivals();
+  }
+  (void)is_mine(told.start, told.number);
   return {};
 }
 

@@ -63,9 +63,20 @@ Result<void> MapSender::State::tell_pose(Viewer& viewer, double now,
   if (!pose || viewer.pose == pose || !viewer.allowance.may_spend()) return {};
   const std::uint64_t number = viewer.delivery.next_number();
   DELTAMESH_TRY(auto message, write_pose({description_hash, viewer.begin, number, *pose}));
-  viewer.delivery.add({.key = kPoseKey, .bytes = std::move(message), .is_whole = true});
+  viewer.delivery.add({.key = kNoPart, .bytes = std::move(message), .is_whole = true});
   viewer.send_made(now, messages);
   viewer.pose = pose;
+  return {};
+}
+
+Result<void> MapSender::State::tell_end(Viewer& viewer, double now,
+                                        std::vector<std::vector<std::byte>>& messages) {
+  if (!viewer.delivery.is_end_unseen(now) || !viewer.allowance.may_spend()) return {};
+  const std::uint64_t number = viewer.delivery.next_number();
+  DELTAMESH_TRY(auto message,
+                write_start({.map = description_hash, .start = viewer.begin, .number = number}));
+  viewer.delivery.add({.key = kNoPart, .bytes = std::move(message), .is_superseded = true});
+  viewer.send_made(now, messages);
   return {};
 }
 

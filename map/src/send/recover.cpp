@@ -125,7 +125,7 @@ void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& me
     for (const std::uint64_t number : Numbers(numbers).first(numbers.size() - end)) {
       if (!std::ranges::binary_search(lost, number)) continue;
       if (viewer.delivery.at(number).is_superseded || !viewer.delivery.is_told_of(number)) {
-        if (key == kPoseKey && !viewer.delivery.at(number).is_superseded) viewer.pose.reset();
+        if (key == kNoPart && !viewer.delivery.at(number).is_superseded) viewer.pose.reset();
         viewer.delivery.skip(number);
       } else {
         again.push_back(number);
@@ -136,7 +136,7 @@ void recover(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& me
   for (const std::uint64_t number : again) {
     if (!viewer.allowance.may_spend()) break;
     const SentMessage& message = viewer.delivery.send_again(number, now);
-    if (message.key != kPoseKey) viewer.sent[message.key].time = now;
+    if (message.key != kNoPart) viewer.sent[message.key].time = now;
     viewer.post(message, viewer.copies_of(message), messages);
   }
 }

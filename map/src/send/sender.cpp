@@ -129,7 +129,8 @@ Result<void> MapSender::State::add_messages(Viewer& viewer, double now,
   DELTAMESH_CHECK(tell_pose(viewer, now, messages));
   viewer.send_made(now, messages);
   if (viewer.delivery.has_unsent()) return {};
-  return send_what_is_due(viewer, now, messages);
+  DELTAMESH_CHECK(send_what_is_due(viewer, now, messages));
+  return tell_end(viewer, now, messages);
 }
 
 std::vector<PartFault> MapSender::faults_of(std::uint64_t number) const {

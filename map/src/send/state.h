@@ -73,6 +73,8 @@ struct MapSender::State {
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_pose(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
+  /// Shows the receiver that what was sent last is, if nothing else does.
+  Result<void> tell_end(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_faults(const std::vector<PartFault>& faults, Viewer& viewer, double now,
                            std::vector<std::vector<std::byte>>& messages);
   const KnownVersion* believed_version(const Viewer& viewer, const PartKey& key) const;

@@ -66,8 +66,8 @@ struct SentPart {
 /// Seconds for a first reply to the map's message.
 inline constexpr double kDescribeWait = 0.2;
 
-/// In place of a part's key, of messages about the pose.
-inline constexpr PartKey kPoseKey{kMostPartLevel + 1, 0, 0, 0};
+/// In place of a part's key, of messages about none: poses, and what shows that all is sent.
+inline constexpr PartKey kNoPart{kMostPartLevel + 1, 0, 0, 0};
 
 struct Viewer {
   View view{};

@@ -217,6 +217,38 @@ TEST_F(MapLoss, MAP21TheLastMessageIsSentAgainWhenAReplyIsOverdue) {
   EXPECT_TRUE(shows(0, 0.5F));
 }
 
+TEST_F(MapLoss, MAP21OnASlowLinkTheLossOfTheLastMessageIsSeenAtOnce) {
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(exchange_slowly().empty());
+  set(0, 0.5F);
+  ASSERT_EQ(ask().size(), 1U);  // lost, and nothing follows
+  now_ += 0.05;
+  const Messages end = ask();
+  ASSERT_EQ(end.size(), 1U);
+  EXPECT_TRUE(read_start(end.front()));
+  EXPECT_LT(end.front().size(), 30U);
+  EXPECT_TRUE(ask().empty());
+  now_ += 0.15;
+  apply(end);
+  const Messages receipts = said();
+  ASSERT_EQ(receipts.size(), 1U);
+  const auto receipt = read_receipt(receipts.front());
+  ASSERT_TRUE(receipt);
+  EXPECT_EQ(receipt->receipt.missing, std::vector{receipt->receipt.highest - 1});
+  now_ += 0.15;
+  ASSERT_TRUE(sender_->hear(receipts.front(), now_));
+  apply(ask());
+  EXPECT_TRUE(shows(0, 0.5F));
+}
+
+TEST_F(MapLoss, MAP21TheEndThatIsLostItselfIsNotSentAgain) {
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(exchange_slowly().empty());
+  set(0, 0.5F);
+  apply(ask());
+  now_ += 0.05;
+  ASSERT_EQ(ask().size(), 1U);  // the end, lost
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(exchange_slowly().empty());
+}
+
 TEST_F(MapLoss, MAP21NothingIsSentToASilentViewer) {
   set(0, 0.5F);
   for (int call = 0; call < 5; ++call) {

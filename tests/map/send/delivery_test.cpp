@@ -45,6 +45,20 @@ TEST(MapDelivery, MAP21WhatIsBehindLateMessagesIsInAQueueAndNotLost) {
   }
 }
 
+TEST(MapDelivery, MAP21TheEndOfWhatIsSentIsUnseenWhereRepliesTakeLong) {
+  Delivery delivery = measured_delivery(0.3);
+  const std::uint64_t last = send(delivery, 11);
+  EXPECT_FALSE(delivery.is_end_unseen(11.01));
+  EXPECT_TRUE(delivery.is_end_unseen(11.05));
+  delivery.hear({last - 1, {}}, 11.1);
+  EXPECT_TRUE(delivery.is_end_unseen(11.2));
+  delivery.hear({last, {}}, 11.3);
+  EXPECT_FALSE(delivery.is_end_unseen(11.35));
+  Delivery fast = measured_delivery(0.05);
+  (void)send(fast, 11);
+  EXPECT_FALSE(fast.is_end_unseen(11.05));
+}
+
 TEST(MapDelivery, MAP21WhatWasGivenUpAndMayStillComeIsInAQueue) {
   Delivery delivery = measured_delivery();
   const std::uint64_t first = send(delivery, 10);

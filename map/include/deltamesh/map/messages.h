@@ -20,8 +20,9 @@ namespace deltamesh {
 
 /// Says that a sender was started [MAP-16]. From then on its receivers take no messages of earlier ones.
 struct StartMessage {
-  std::uint64_t map = 0;    ///< hash_of() the map's description
-  std::uint64_t start = 0;  ///< the map's revision at that time
+  std::uint64_t map = 0;     ///< hash_of() the map's description
+  std::uint64_t start = 0;   ///< the map's revision at that time
+  std::uint64_t number = 0;  ///< as EntryMessage::number, where it shows that those before it were sent
 };
 
 /// Tells that there is a version of a part, or that a part is gone [MAP-13].

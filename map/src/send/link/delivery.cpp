@@ -17,6 +17,7 @@ constexpr double kHeardPatience = 1;
 constexpr unsigned kMostOverdue = 8;
 constexpr double kLeastSlack = 0.05;
 constexpr double kSilence = 5;
+constexpr double kPause = 0.04;
 constexpr double kMostRoundTrip = 60;  // what takes longer is a clock that was set
 constexpr std::uint64_t kMostDisorder = 32;
 
@@ -159,6 +160,12 @@ std::optional<std::uint64_t> Delivery::probe(double now) const {
   const auto& [number, message] = *on_the_way_.rbegin();
   const bool is_due = message.times == 1 || (message.times > 1 && now - message.time > congestion_.longest());
   return number > told_ && is_due ? std::optional(number) : std::nullopt;
+}
+
+bool Delivery::is_end_unseen(double now) const noexcept {
+  if (on_the_way_.empty() || !is_slow() || now - sent_at_ < kPause) return false;
+  const auto& [number, message] = *on_the_way_.rbegin();
+  return number == last_ && number > told_ && message.times == 1 && !message.is_superseded;
 }
 
 bool Delivery::is_jammed(double now) const noexcept {

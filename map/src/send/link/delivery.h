@@ -27,7 +27,7 @@ struct SentMessage {
   /// When it was sent first, seconds; where it replaces lost messages, when the first of them was. Empty: it
   /// replaces none and was not sent yet.
   std::optional<double> since{};
-  bool is_superseded = false;  ///< a later message about the part is whole
+  bool is_superseded = false;  ///< a later message about the part is whole, or nothing is lost with it
   double time = 0;             ///< when it was sent last, seconds
   double flight = 0;           ///< bytes on the way then, with its own
   std::uint64_t after = 0;     ///< the highest number that was sent by then
@@ -66,6 +66,9 @@ class Delivery {
   /// The last message, where it is unanswered for so long that it is worth another try: what comes of it
   /// tells what is lost (RFC 8985, tail loss probe).
   std::optional<std::uint64_t> probe(double now) const;
+  /// Whether the last message was sent a moment ago and a reply will take long: nothing that comes after it
+  /// would show that it is lost, unless another message does.
+  bool is_end_unseen(double now) const noexcept;
   /// Whether receipts still tell of a message of this number.
   bool is_told_of(std::uint64_t number) const noexcept { return number + kReceiptNumbers >= told_; }
 
