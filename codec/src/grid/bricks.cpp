@@ -47,36 +47,16 @@ void copy_margin(const Brick& from, const Bricks::Place& way, Brick& to) noexcep
 
 }  // namespace
 
-std::size_t Bricks::slot_of(const Place& at) const noexcept {
-  std::uint64_t hash = 0;
-  for (const std::int32_t a : at) {
-    hash = (hash ^ static_cast<std::uint32_t>(a)) * 0xff51'afd7'ed55'8ccdULL;
-    hash ^= hash >> 32;
-  }
-  auto slot = static_cast<std::size_t>(hash & (table_.size() - 1));
-  while (table_[slot] != 0 && bricks_[table_[slot] - 1]->at != at) slot = (slot + 1) & (table_.size() - 1);
-  return slot;
-}
-
 Brick* Bricks::find(const Place& at) const noexcept {
-  if (table_.empty()) return nullptr;
-  const std::uint32_t found = table_[slot_of(at)];
-  return found == 0 ? nullptr : bricks_[found - 1];
-}
-
-void Bricks::make_room() {
-  if (2 * (bricks_.size() + 1) > table_.size()) {
-    std::size_t size = 64;
-    while (size < 4 * (bricks_.size() + 1)) size *= 2;
-    table_.assign(size, 0);
-    for (std::uint32_t i = 0; i < bricks_.size(); ++i) table_[slot_of(bricks_[i]->at)] = i + 1;
-  }
+  const auto found = by_place_.find(at);
+  return found == by_place_.end() ? nullptr : found->second;
 }
 
 Brick& Bricks::get(const Place& at) {
-  if (Brick* const found = find(at)) return *found;
-  make_room();
+  const auto [place, is_new] = by_place_.try_emplace(at);
+  if (!is_new) return *place->second;
   Brick& brick = memory_.take();
+  place->second = &brick;
   brick.at = at;
   brick.number = count();
   brick.rows.fill(0);
@@ -84,7 +64,6 @@ Brick& Bricks::get(const Place& at) {
   std::memset(brick.cubes, 0, kPlaces);
   brick.cut.fill(0);
   brick.blocks.fill(0);
-  table_[slot_of(at)] = brick.number + 1;
   bricks_.push_back(&brick);
   for (unsigned way = 0; way < brick.near.size(); ++way) {
     Brick* const other = way == 13 ? &brick : find(sum(at, way_to(way)));

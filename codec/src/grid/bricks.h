@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "base/memory/large_vector.h"
@@ -167,11 +168,9 @@ class Bricks {
 
   void get_beyond(Brick& brick, unsigned place);
   void add_block(std::uint32_t& block);
-  void make_room();
-  std::size_t slot_of(const Place& at) const noexcept;
 
   std::vector<Brick*> bricks_;
-  std::vector<std::uint32_t> table_;  ///< by hash of the place: number of a brick plus 1, or 0
+  std::map<Place, Brick*> by_place_;  ///< no hash: streams could be made whose places all have the same
   Pieces<Brick> memory_;
   Pieces<std::array<std::uint8_t, kPlaces>> cubes_;
   LargeVector<std::array<std::uint32_t, 3>> vertices_;

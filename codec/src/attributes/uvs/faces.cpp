@@ -53,11 +53,20 @@ void UvFaces::make(std::size_t i) {
     for (const Corner& corner : order_.completed_by(end_)) add(end_, corner);
 }
 
-/// Of the first other face with the edge, if its corner is known.
+/// Of the first other face with the edge, if its corner is known. Looked for at the end of the edge with
+/// fewer faces, as all edges of a fan have its hub at one end.
 std::uint32_t UvFaces::find_across(std::size_t i, const Corner& corner) const noexcept {
-  for (const Corner& other : corners_.of(corner.next))
-    if (other.before == corner.before && other.face != corner.face && is_before(other.next, i))
-      return other.next;
+  const auto at_a = corners_.of(corner.next);
+  const auto at_b = corners_.of(corner.before);
+  if (at_a.size() <= at_b.size()) {
+    for (const Corner& other : at_a)
+      if (other.before == corner.before && other.face != corner.face && is_before(other.next, i))
+        return other.next;
+  } else {
+    for (const Corner& other : at_b)
+      if (other.next == corner.next && other.face != corner.face && is_before(other.before, i))
+        return other.before;
+  }
   return kNoUvVertex;
 }
 
