@@ -36,13 +36,14 @@ struct DecodeOptions {
   const ModelStates* starting_states = nullptr;
   /// The mesh that the stream was encoded beside (EncodeOptions::known); must outlive the call.
   const KnownMesh* known = nullptr;
-  /// Called now and then with the share of the work done, 0 to 1; may be empty.
+  /// Called now and then with the share of the work done, 0 to 1; may be empty. If it throws, decoding ends
+  /// with kInvalidArgument.
   std::function<void(double)> progress{};
 };
 
 /// Decodes a whole stream. On success every index is in range, sizes agree and positions are finite. Bytes
 /// are not trusted: memory is bounded by a constant times the stream's size plus the limits. Errors: 1xx
-/// codes, kLimitExceeded, kOutOfMemory.
+/// codes, kLimitExceeded, kInvalidArgument (a callback that throws), kOutOfMemory.
 Result<Mesh> decode(std::span<const std::byte> stream, const DecodeOptions& options = {}) noexcept;
 
 /// Checks all that can be checked without the original: checksums, structure, and that it decodes. Errors: as

@@ -7,10 +7,9 @@
 #include <algorithm>
 #include <functional>
 
-namespace deltamesh {
+#include "base/guard.h"
 
-/// Thrown where the caller's callback throws; encode() turns it into an error.
-struct ProgressFailed {};
+namespace deltamesh {
 
 /// Shares of the whole time, which never fall.
 class Progress {
@@ -31,12 +30,7 @@ class Progress {
 
   void tell(double share) {
     share_ = share;
-    if (!callback_) return;
-    try {
-      callback_(share);
-    } catch (...) {
-      throw ProgressFailed();
-    }
+    if (callback_) call_back(callback_, share);
   }
 
   const std::function<void(double)>& callback_;

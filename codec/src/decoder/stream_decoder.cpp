@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "attributes/attribute.h"
+#include "base/guard.h"
 #include "base/memory/large_vector.h"
 #include "base/small_code.h"
 #include "base/threads/task.h"
@@ -34,7 +35,7 @@ namespace {
 constexpr double kGeometryDone = 0.85;
 
 void report_progress(const DecodeOptions& options, double share) {
-  if (options.progress) options.progress(share);
+  if (options.progress) call_back(options.progress, share);
 }
 
 Error limit_exceeded(const char* message) noexcept {

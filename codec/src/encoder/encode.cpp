@@ -171,17 +171,12 @@ Result<Encoded> encode(const MeshView& mesh, const EncodeOptions& options) noexc
   return guarded([&]() -> Result<Encoded> {
     DELTAMESH_CHECK(validate(options));
     DELTAMESH_CHECK(check_mesh(mesh));
-    try {
-      DELTAMESH_TRY(const ColorContent content, color_content(mesh, options));
-      EncodeOptions completed = options;
-      completed.attributes = content.complete(std::move(completed.attributes));
-      DELTAMESH_TRY(Encoded encoded, encode_checked(mesh, completed));
-      if (content.has_labels()) encoded.report.labels = count_colors(mesh);
-      return encoded;
-    } catch (const ProgressFailed&) {
-      return Error{.code = ErrorCode::kInvalidArgument,
-                   .message = "the progress callback threw an exception"};
-    }
+    DELTAMESH_TRY(const ColorContent content, color_content(mesh, options));
+    EncodeOptions completed = options;
+    completed.attributes = content.complete(std::move(completed.attributes));
+    DELTAMESH_TRY(Encoded encoded, encode_checked(mesh, completed));
+    if (content.has_labels()) encoded.report.labels = count_colors(mesh);
+    return encoded;
   });
 }
 

@@ -41,6 +41,15 @@ Sums sums_of(const ReceivedParts& parts) {
 
 }  // namespace
 
+Error beyond_limits() noexcept {
+  return {.code = ErrorCode::kLimitExceeded,
+          .message = "more parts, bytes, vertices or links than the receiver may hold"};
+}
+
+bool MapReceiver::State::has_room_for_links() const {
+  return sums_of(parts).links <= kLinksPerPart * limits.parts;
+}
+
 bool MapReceiver::State::make_room(const PartKey& but) {
   const MapDescription& description = codec->description();
   const PartKey* farthest = nullptr;
@@ -73,8 +82,7 @@ Result<DecodeOptions> MapReceiver::State::options_for(const PartKey& key, std::s
     const bool is_nearly_full = sums.vertices > limits.vertices - limits.vertices / 8;
     if ((is_full || is_nearly_full) && is_in_view(key, view, codec->description()) && make_room(key))
       continue;
-    if (is_full)
-      return Error{.code = ErrorCode::kLimitExceeded, .message = "more parts than the receiver may hold"};
+    if (is_full) return beyond_limits();
     DecodeOptions options;
     options.limits.vertices = std::min(limits.vertices - sums.vertices, options.limits.vertices);
     return options;

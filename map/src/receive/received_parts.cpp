@@ -147,6 +147,15 @@ bool ReceivedParts::fits_gone(const PartKey& key, const Version& version,
   });
 }
 
+/// Parts that this version has a link to, and those with a link to the part.
+std::vector<PartKey> ReceivedParts::neighbours(const PartKey& key, std::size_t waiting) const {
+  std::vector<PartKey> keys;
+  for (const PartLink& link : parts_.at(key).waiting[waiting].links) keys.push_back(link.key);
+  if (const auto linkers = linkers_.find(key); linkers != linkers_.end())
+    keys.insert(keys.end(), linkers->second.begin(), linkers->second.end());
+  return keys;
+}
+
 void ReceivedParts::settle(const std::function<bool(const PartKey&)>& is_wanted, std::set<PartKey>& touched) {
   evicted_.clear();
   for (const PartKey& key : waiting_) accepted_[key] = parts_.at(key).waiting.size() - 1;
@@ -166,6 +175,10 @@ void ReceivedParts::settle(const std::function<bool(const PartKey&)>& is_wanted,
         continue;
       evicted_.clear();  // perhaps for this version alone
       is_stable_ = false;
+      // What may have fitted to this version alone has its turn now, so that there are few rounds.
+      for (const PartKey& other : neighbours(key, accepted->second))
+        if (const auto found = accepted_.find(other); found != accepted_.end())
+          turns.insert(turn_of(other, found->second));
       if (accepted->second == 0) {
         accepted_.erase(accepted);
       } else {

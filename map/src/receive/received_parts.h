@@ -80,6 +80,7 @@ class ReceivedParts {
   bool fits(const PartKey& key, const Version& version, const std::function<bool(const PartKey&)>& is_wanted);
   bool fits_gone(const PartKey& key, const Version& version,
                  const std::function<bool(const PartKey&)>& is_wanted);
+  std::vector<PartKey> neighbours(const PartKey& key, std::size_t waiting) const;
   bool makes_room(const PartKey& other, const std::function<bool(const PartKey&)>& is_wanted);
   void drop(const PartKey& key, Version version);
   void show_accepted(std::set<PartKey>& touched);

@@ -208,12 +208,12 @@ Result<void> MapReceiver::State::apply_entry(std::span<const std::byte> message)
   DELTAMESH_CHECK(check_map(told.map));
   PartEntry& entry = told.entry;
   if (!is_mine(told.start, told.number) || !is_new(entry.key, entry.revision)) return {};
+  if (!entry.links.empty() && !has_room_for_links()) return beyond_limits();
   Version version{entry.revision, entry.group, std::move(entry.links), nullptr};
   if (entry.bytes != 0) {
     version.content = parts.content(entry.key, entry.hash);
     if (!version.content) {
-      if (announced.size() >= limits.parts)
-        return Error{.code = ErrorCode::kLimitExceeded, .message = "more parts than the receiver may hold"};
+      if (announced.size() >= limits.parts) return beyond_limits();
       std::uint64_t& revision = announced[entry.key];
       revision = std::max(revision, entry.revision);
       if (told.number != 0)

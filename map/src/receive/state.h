@@ -28,6 +28,9 @@ struct ToldFault {
   std::uint16_t code = 0;    ///< 0: none any more
 };
 
+/// kLimitExceeded [ReceiverLimits].
+Error beyond_limits() noexcept;
+
 struct MapReceiver::State {
   std::uint64_t viewer = 0;
   std::uint64_t map_id = 0;
@@ -65,6 +68,7 @@ struct MapReceiver::State {
   void take(const PartKey& key, Version version);
   /// Drops the part outside of the view that is farthest from it; false: there is none.
   bool make_room(const PartKey& but);
+  bool has_room_for_links() const;
   Result<DecodeOptions> options_for(const PartKey& key, std::size_t octets);
   /// Whether a message is of the start whose messages are taken; takes note of its number.
   bool is_mine(std::uint64_t of_start, std::uint64_t message_number);

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/guard.h"
 #include "base/try.h"
 #include "base/with_found.h"
 #include "io/gltf/structure.h"
@@ -30,7 +31,7 @@ Result<std::vector<std::byte>> resolve_uri(const std::string& uri, const Resolve
                  .message = "the asset has an external buffer, which cannot be reached from here",
                  .where_kind = WhereKind::kElement,
                  .where = number};
-  auto bytes = resolve(*path);
+  auto bytes = call_back(resolve, *path);
   if (!bytes && bytes.error().code == ErrorCode::kFileOpen) {
     Error error = bytes.error();
     error.message = "a file that the asset names cannot be opened";
