@@ -73,6 +73,16 @@ TEST_F(GltfFiles, ErrorsLeaveNoFiles) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(GltfFiles, AResolverThatThrowsIsTheCallersError) {
+  GltfBuilder builder;
+  builder.sheet_mesh(make_sheet(4));
+  GltfIo io;
+  io.resolve = [](std::string_view) -> Result<std::vector<std::byte>> { throw 7; };
+  const auto packed = pack_gltf(builder.gltf("missing.bin"), {}, io);
+  ASSERT_FALSE(packed);
+  EXPECT_EQ(packed.error().code, ErrorCode::kInvalidArgument);
+}
+
 TEST_F(GltfFiles, AnAssetIsWrittenWithItsBufferOrNotAtAll) {
   GltfBuilder small;
   small.sheet_mesh(make_sheet(4));

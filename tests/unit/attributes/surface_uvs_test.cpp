@@ -2,9 +2,11 @@
 // Copyright 2026 The deltamesh authors
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <limits>
 #include <vector>
 
@@ -295,6 +297,27 @@ TEST(SurfaceUvs, PrefixesAndMoreBytesAreRefused) {
     return read_surface_uvs(some, mesh.surface()).has_value();
   };
   test::expect_guarded(bytes, read, "uvs");
+}
+
+/// A wheel: the hub has a corner in every face.
+Textured wheel(std::uint32_t faces) {
+  Textured mesh;
+  mesh.add({0, 0, 0.1}, 0.5, 0.5);
+  for (std::uint32_t i = 0; i < faces; ++i) {
+    const double angle = 6.283185307179586 * i / faces;
+    mesh.add({std::cos(angle), std::sin(angle), 0}, 0.5 + 0.5 * std::cos(angle), 0.5 + 0.5 * std::sin(angle));
+    mesh.triangles.insert(mesh.triangles.end(), {0, 1 + i, 1 + (i + 1) % faces});
+  }
+  return mesh;
+}
+
+TEST(Attribute, ATTR32AHubTakesLinearTime) {
+  const auto time_of = [](std::uint32_t faces) {
+    const std::clock_t begin = std::clock();
+    code(wheel(faces), 0.001);
+    return std::max(std::clock() - begin, std::clock_t{CLOCKS_PER_SEC / 100});
+  };
+  EXPECT_LT(time_of(160000), 24 * time_of(20000));  // 8 in theory; quadratic would be 64
 }
 
 }  // namespace

@@ -403,6 +403,11 @@ TEST(QualityRequest, ACallbackThatThrowsIsAnError) {
     EXPECT_EQ(encoded.error().code, ErrorCode::kInvalidArgument);
     EXPECT_NE(describe(encoded.error()).find("a callback threw"), std::string::npos);
   }
+  const auto encoded = encode(mesh);
+  ASSERT_TRUE(encoded);
+  const auto decoded = decode(encoded->bytes, {.progress = [](double) { throw 7; }});
+  ASSERT_FALSE(decoded);
+  EXPECT_EQ(decoded.error().code, ErrorCode::kInvalidArgument);
 }
 
 /// Of fewer bytes than the defaults take: both positions and attributes are coarser.
