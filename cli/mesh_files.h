@@ -81,7 +81,7 @@ bool check_keeps_files(const std::string& input, const ReadReport& report,
 /// so.
 bool check_is_outside(const std::string& folder, const std::string& file, int& status);
 
-/// The same for the files that the mesh at `input` names.
+/// The same for the files that the mesh at `input` names and that are there.
 bool check_are_outside(const std::string& folder, const std::string& input, const ReadReport& report,
                        int& status);
 

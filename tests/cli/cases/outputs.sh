@@ -64,6 +64,8 @@ cp plain.bin own.map/parts
 run map split own.map/skinned.gltf own.map --part-edge 1
 printf 'mtllib a b.mtl\n' | cat - cube.obj >with.obj
 run encode with.obj 'a b.mtl'
+printf 'mtllib own.map/parts/gone.mtl\n' | cat - cube.obj >with.obj
+status map split with.obj own.map --part-edge 1
 cmp plain.bin before.bin
 rm -r own.map heat.* parts.gltf parts.bin plain.gltf plain.bin before.bin skinned.gltf with.obj
 rm also_cube.dmsh

@@ -165,6 +165,13 @@ std::string stl(const std::string& title, const std::vector<std::uint16_t>& attr
   return text;
 }
 
+TEST(LeftOut, ObjNamesALibraryOnceHoweverOftenItIsGiven) {
+  const Imported given = read(
+      "mtllib a b.mtl\nmtllib b.mtl\nmtllib a b.mtl\nmtllib a\n" + kSquare + "f 1 2 3\n", FileFormat::kObj);
+  EXPECT_EQ(given.report.files, (std::vector<std::string>{"a", "b.mtl", "a b.mtl"}));
+  EXPECT_EQ(left_out(given.report, LeftOutKind::kElements, "mtllib"), 4U);
+}
+
 TEST(LeftOut, StlSolidsBecomeFaceGroups) {
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";

@@ -111,6 +111,20 @@ TEST(Triangulate, WhatHasNoAreaOrCrossesItselfStillHasAllTriangles) {
   EXPECT_FALSE(triangulate(many, triangles));
 }
 
+TEST(Triangulate, LargePolygons) {
+  Points spiral;  // hardly any ears, far from one another
+  for (int i = 0; i < 1000; ++i)
+    spiral.push_back({(10 + i) * std::cos(i * 0.05), (10 + i) * std::sin(i * 0.05), 0});
+  for (int i = 1000; i-- > 0;)
+    spiral.push_back({(8 + i) * std::cos(i * 0.05), (8 + i) * std::sin(i * 0.05), 0});
+  expect_filled(spiral);
+  Points line(kMostEarCorners);  // no ear is left once the one corner off the line is cut
+  for (std::size_t i = 0; i < line.size(); ++i)
+    line[i] = 0.1 * static_cast<double>(i * 97 % 255) * Vec3{1, 1, 0};
+  line[9] = {0, 1000, 0};
+  triangles_of(line);
+}
+
 TEST(Orientation, IsExact) {
   // Points of the line y = x, off it by one step of the last digit.
   for (const double x : {0.1, 0.3, 12.7, 1e6 + 0.3}) {

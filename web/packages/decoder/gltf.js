@@ -74,15 +74,25 @@ export function findCompressed(json) {
   return found;
 }
 
-function indicesOf({ indices, groups }, group) {
-  if (!groups) return group === 0 ? indices : indices.subarray(0, 0);
-  const picked = new Uint32Array(indices.length);
-  let count = 0;
-  for (let face = 0; face < groups.length; ++face) {
-    if (groups[face] !== group) continue;
-    for (let corner = 3 * face; corner < 3 * face + 3; ++corner) picked[count++] = indices[corner];
-  }
-  return picked.slice(0, count);
+/** For each mesh with groups: its indices sorted by group, and where the indices of each group begin. */
+const sortedMeshes = new WeakMap();
+
+/** One pass for all of a mesh's primitives: an asset may have thousands. */
+function sortByGroup({ indices, groups }) {
+  const bounds = new Uint32Array(groups.reduce((most, group) => Math.max(most, group), 0) + 2);
+  for (const group of groups) bounds[group + 1] += 3;
+  for (let group = 1; group < bounds.length; ++group) bounds[group] += bounds[group - 1];
+  const next = bounds.slice();
+  const sorted = new Uint32Array(indices.length);
+  for (let corner = 0; corner < indices.length; ++corner) sorted[next[groups[Math.floor(corner / 3)]]++] = indices[corner];
+  return { sorted, bounds };
+}
+
+function indicesOf(mesh, group) {
+  if (!mesh.groups) return group === 0 ? mesh.indices : mesh.indices.subarray(0, 0);
+  if (!sortedMeshes.has(mesh)) sortedMeshes.set(mesh, sortByGroup(mesh));
+  const { sorted, bounds } = sortedMeshes.get(mesh);
+  return Number.isInteger(group) ? sorted.slice(bounds[group] ?? 0, bounds[group + 1] ?? 0) : new Uint32Array();
 }
 
 function fitsAccessor(accessor, components, Type, values) {

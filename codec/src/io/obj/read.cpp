@@ -6,6 +6,7 @@
 #include <array>
 #include <sstream>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "base/try.h"
@@ -115,15 +116,19 @@ class ObjReader {
     return {};
   }
 
-  /// The rest of the line is one name with spaces, or several names: all of these are noted.
+  /// The rest of the line is one name with spaces, or several names: all of these are noted, each once.
   Result<void> name_library() {
     std::string names = rest_as_name();
     std::ranges::replace(names, '\\', '/');
     std::istringstream words(names);
-    for (std::string word; words >> word;) report_.files.push_back(word);
-    report_.files.push_back(std::move(names));
+    for (std::string word; words >> word;) add_file(std::move(word));
+    add_file(std::move(names));
     report_.leave_out(LeftOutKind::kElements, "mtllib");
     return {};
+  }
+
+  void add_file(std::string name) {
+    if (known_files_.insert(name).second) report_.files.push_back(std::move(name));
   }
 
   Result<Numbers> read_numbers(std::size_t least, std::size_t most) {
@@ -266,6 +271,7 @@ class ObjReader {
   std::vector<std::uint32_t> corners_;
   NamedGroups groups_;
   ReadReport report_;
+  std::unordered_set<std::string> known_files_;  // of `report_`
 };
 
 }  // namespace

@@ -2,7 +2,9 @@
 // Copyright 2026 The deltamesh authors
 #include "io/polygons/triangulate.h"
 
+#include <bit>
 #include <cmath>
+#include <optional>
 
 #include "io/polygons/orientation.h"
 
@@ -39,9 +41,37 @@ bool fan_fills(std::span<const Vec2> points) noexcept {
   return true;
 }
 
+/// Some of a polygon's corners, one bit each: to find one costs little where hardly any are left.
+class CornerSet {
+ public:
+  explicit CornerSet(std::size_t corners) : words_((corners + 63) / 64) {}
+
+  void set(std::uint32_t i, bool is_in) noexcept {
+    const std::uint64_t bit = std::uint64_t{1} << i % 64;
+    words_[i / 64] = is_in ? words_[i / 64] | bit : words_[i / 64] & ~bit;
+  }
+  bool contains(std::uint32_t i) const noexcept { return (words_[i / 64] >> i % 64 & 1) != 0; }
+
+  /// The first from `at` on, around the polygon.
+  std::optional<std::uint32_t> first_from(std::uint32_t at) const noexcept {
+    std::size_t w = at / 64;
+    std::uint64_t word = words_[w] & ~std::uint64_t{0} << at % 64;
+    for (std::size_t step = 0; word == 0 && step < words_.size(); ++step) {
+      w = (w + 1) % words_.size();
+      word = words_[w];
+    }
+    if (word == 0) return std::nullopt;
+    return static_cast<std::uint32_t>(64 * w) + static_cast<std::uint32_t>(std::countr_zero(word));
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
 class Ears {
  public:
-  explicit Ears(std::span<const Vec2> points) : points_(points) {
+  explicit Ears(std::span<const Vec2> points)
+      : points_(points), sticks_out_(points.size()), is_ear_(points.size()) {
     const auto n = static_cast<std::uint32_t>(points.size());
     for (std::uint32_t i = 0; i < n; ++i) {
       next_.push_back((i + 1) % n);
@@ -49,22 +79,24 @@ class Ears {
     }
     for (std::uint32_t i = 0; i < n; ++i)
       if (turn(i) <= 0) hollow_.push_back(i);
-    for (std::uint32_t i = 0; i < n; ++i) is_ear_.push_back(check_ear(i));
+    for (std::uint32_t i = 0; i < n; ++i) look_at(i);
   }
 
   void cut(std::vector<std::uint32_t>& triangles) {
     std::uint32_t at = 0;
     for (std::size_t left = points_.size(); left > 2; --left) {
-      const std::uint32_t tip = find_tip(at, left);
+      const std::uint32_t tip = find_tip(at);
       const std::uint32_t before = previous_[tip];
       const std::uint32_t after = next_[tip];
       triangles.insert(triangles.end(), {before, tip, after});
       next_[before] = after;
       previous_[after] = before;
       next_[tip] = tip;
+      sticks_out_.set(tip, false);
+      is_ear_.set(tip, false);
       // Cutting an ear off changes no other corner's being one: O'Rourke, 1.6.5.
-      is_ear_[before] = check_ear(before);
-      is_ear_[after] = check_ear(after);
+      look_at(before);
+      look_at(after);
       at = next_[after];  // not `after`: ears of one corner after the other make slivers
     }
   }
@@ -74,10 +106,14 @@ class Ears {
     return orientation(points_[previous_[i]], points_[i], points_[next_[i]]);
   }
 
-  /// Whether corner `i` sticks out, and no hollow corner of what is left lies in its triangle or on its
+  void look_at(std::uint32_t i) noexcept {
+    sticks_out_.set(i, turn(i) > 0);
+    is_ear_.set(i, sticks_out_.contains(i) && is_empty(i));
+  }
+
+  /// Whether no hollow corner of what is left lies in the triangle of corner `i`, which sticks out, or on its
   /// sides. Points equal to its own corners, as at a bridge to a hole, do not count.
-  bool check_ear(std::uint32_t i) const noexcept {
-    if (turn(i) <= 0) return false;
+  bool is_empty(std::uint32_t i) const noexcept {
     const Vec2& a = points_[previous_[i]];
     const Vec2& b = points_[i];
     const Vec2& c = points_[next_[i]];
@@ -94,21 +130,17 @@ class Ears {
 
   /// The first ear from `at` on. Where none is left, as in what crosses itself: the first corner that sticks
   /// out, or `at`.
-  std::uint32_t find_tip(std::uint32_t at, std::size_t left) const noexcept {
-    std::uint32_t i = at;
-    for (std::size_t step = 0; step < left; ++step, i = next_[i])
-      if (is_ear_[i]) return i;
-    for (std::size_t step = 0; step < left; ++step, i = next_[i])
-      if (turn(i) > 0) return i;
-    return at;
+  std::uint32_t find_tip(std::uint32_t at) const noexcept {
+    if (const auto ear = is_ear_.first_from(at)) return *ear;
+    return sticks_out_.first_from(at).value_or(at);
   }
 
   std::span<const Vec2> points_;
   std::vector<std::uint32_t> next_,
       previous_;  // of corners that are left; a corner that was cut off is its own next one
   std::vector<std::uint32_t>
-      hollow_;  // that turned to the right or not at all in the beginning; others never do
-  std::vector<bool> is_ear_;
+      hollow_;                     // that turned to the right or not at all in the beginning; others never do
+  CornerSet sticks_out_, is_ear_;  // of corners that are left
 };
 
 }  // namespace
