@@ -82,7 +82,8 @@ std::vector<PartLink> links_for(const SourcePart& source, const Mesh& mesh, cons
   }
   links.insert(links.end(), border, source.links.end());
   // What the receiver is not to have is not waited for.
-  for (PartLink& link : links) link.together = link.together && !plan.unwanted.contains(link.key);
+  const bool may_wait = viewer.may_have_before(source.part.key, source.revision);
+  for (PartLink& link : links) link.together = link.together && may_wait && !plan.unwanted.contains(link.key);
   return links;
 }
 

@@ -53,8 +53,10 @@ std::vector<SendUnit> units_of(const SendPlan& plan, const Viewer& viewer, const
   for (const PartKey& key : plan.removed) sets.add(key);
   for (const PartKey& key : plan.needed) {
     const std::vector<PartLink>* before = held_links(key, viewer, known);
-    for (const PartLink& link : map.find(key)->links)
-      if (link.together || (before != nullptr && border_in(*before, link.key) != link.border))
+    const SourcePart& source = *map.find(key);
+    const bool may_wait = viewer.may_have_before(key, source.revision);
+    for (const PartLink& link : source.links)
+      if ((link.together && may_wait) || (before != nullptr && border_in(*before, link.key) != link.border))
         sets.unite(key, link.key);
     if (before == nullptr || plan.refined.contains(key)) continue;
     for (const PartLink& link : *before) sets.unite(key, link.key);

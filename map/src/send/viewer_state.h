@@ -114,6 +114,13 @@ struct Viewer {
     }
   }
 
+  /// Whether the receiver may have the part as it was before that revision. If not, it can show what comes
+  /// without waiting for others: nothing that it shows is lost [MAP-12].
+  bool may_have_before(const PartKey& key, std::uint64_t revision) const {
+    const auto found = sent.find(key);
+    return found != sent.end() && found->second.first < revision;
+  }
+
   /// Whether a later message about the part was taken for lost, and may come all the same.
   bool may_get_later(const PartKey& key, const Believed& than) const {
     const auto found = sent.find(key);
