@@ -73,6 +73,7 @@ void write_talk(const std::string& folder) {
   write(folder + "/map_receiver/talk", all);
   write(folder + "/map_messages/receipt",
         check(write_receipt({.viewer = 1, .number = 2, .map_id = 3, .start = 4, .receipt = {30, {5, 29}}})));
+  write(folder + "/map_messages/start", check(write_start({.map = 1, .start = 2, .number = 3})));
   write(folder + "/map_messages/fault",
         check(write_fault({.map = 1, .start = 2, .number = 3, .key = {0, 1, 2, 3}, .code = 203})));
   write(

@@ -6,7 +6,7 @@ import numpy as np
 import xxhash
 import zstandard
 
-DRAFT, LARGEST_F32 = 25, 3.4028234663852886e38
+DRAFT, LARGEST_F32 = 26, 3.4028234663852886e38
 KINDS = ["", "CONN", "SEAM", "FGRP", "DELT", "ANCH", "POSN", "ATTR", "ORDR", "GRID"]
 ZSTD, COMPACT = 1, 2
 HIGHPASS, LATTICE, VOXELS, FLOATS = range(4)

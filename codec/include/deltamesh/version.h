@@ -17,6 +17,6 @@ inline constexpr std::uint8_t kFormatMajor = 1;
 inline constexpr std::uint8_t kFormatMinor = 0;
 /// Revision of the unreleased format; a decoder reads its own draft only. 0 once version 1.0 is declared
 /// [HDR-3].
-inline constexpr std::uint16_t kFormatDraft = 25;
+inline constexpr std::uint16_t kFormatDraft = 26;
 
 }  // namespace deltamesh

@@ -69,6 +69,32 @@ class MapViewers : public testing::Test {
   double now_ = 0;
 };
 
+TEST_F(MapViewers, MAP12WhoJoinsLateSeesAGrownMapPartByPart) {
+  for (int x = 20; x < 40; ++x) {  // each shares its border with the one before
+    const Mesh mesh = square(static_cast<float>(x));
+    const std::vector<MapBlock> blocks = {{{x, 0, 0}, mesh}};
+    ASSERT_TRUE(sender_->update(blocks));
+  }
+  MapReceiver receiver(1, 1);
+  View view;
+  view.max_error = 0.05F;
+  receiver.set_view(view);
+  std::size_t parts = 0;
+  for (int i = 0; i < 10; ++i) {
+    now_ += 0.3;
+    for (const Bytes& message : say(receiver)) ASSERT_TRUE(sender_->hear(message, now_));
+    const auto messages = sender_->messages_for(1, now_);
+    ASSERT_TRUE(messages);
+    for (const Bytes& message : *messages) {
+      EXPECT_FALSE(read_entry(message, 0)) << "a part once more";
+      ASSERT_TRUE(receiver.apply(message));
+      if (read_part(message)) ++parts;
+      EXPECT_EQ(receiver.shown().size(), parts);
+    }
+  }
+  EXPECT_EQ(parts, 40U);
+}
+
 TEST_F(MapViewers, SilentOnesMakeRoom) {
   for (std::uint64_t viewer = 1; viewer <= 70; ++viewer) {  // restarts, every two seconds
     MapReceiver receiver(viewer, 1);
