@@ -99,12 +99,15 @@ struct Viewer {
     return lost.empty() ? std::nullopt : std::optional(lost.mapped());
   }
 
-  /// How often to send a message: once; on a slow link 2 to 4 times where it replaces lost ones, so that
-  /// these are not lost, too. The later it is, the more often.
+  /// How often to send a message: once; on a slow link up to 4 times where it replaces lost ones, so that
+  /// these are not lost, too. The later it is, the more often, and a small one more often than a large one.
   int copies_of(const SentMessage& message) const noexcept {
-    constexpr double kLate = 0.25;  // seconds
+    constexpr double kLate = 0.25;        // seconds
+    constexpr std::size_t kSmall = 1200;  // bytes
     const double late = message.time - message.since.value_or(message.time);
-    return late > 0 && delivery.is_slow() ? std::clamp(1 + static_cast<int>(late / kLate), 2, 4) : 1;
+    if (late <= 0 || !delivery.is_slow()) return 1;
+    const int least = message.bytes.size() <= kSmall ? 2 : 1;
+    return std::clamp(least - 1 + static_cast<int>(late / kLate), least, 4);
   }
   /// Adds so many copies of a message, or fewer where the rate allows no more, but at least one.
   void post(const SentMessage& message, int copies, std::vector<std::vector<std::byte>>& messages) {
