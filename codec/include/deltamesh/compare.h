@@ -50,8 +50,9 @@ struct Comparison {
   std::uint64_t unmatched_faces_b = 0;
   Quality quality;                      ///< VDE, LFE and max vertex error; only where corresponding
   std::uint64_t measured_vertices = 0;  ///< position-welded vertices that a face uses
-  double surface_rms =
-      0;  ///< symmetric point-to-surface distance, root mean square over the vertices of both meshes
+  /// Symmetric point-to-surface distance, root mean square over the vertices of both meshes; only where not
+  /// corresponding.
+  double surface_rms = 0;
   double surface_max = 0;        ///< the same, largest
   double normal_angle_mean = 0;  ///< degrees, between area-weighted vertex normals
   double normal_angle_p95 = 0;   ///< degrees, 95th percentile
@@ -80,7 +81,7 @@ struct Roundings {
 /// distances to the surface are used. Attributes stand for each other by name and kind, else by kind in their
 /// order. Cost O(n log n). Errors: kInvalidMesh, kNotFinite, kLimitExceeded (what a stream cannot hold, such
 /// as more than 1024 attributes), kInvalidArgument (`order` with an index out of range or of a wrong length;
-/// `roundings` of a wrong length), kOutOfMemory.
+/// `roundings` of a wrong length; one mesh without faces, the other with some), kOutOfMemory.
 Result<Comparison> compare(const MeshView& a, const MeshView& b, std::span<const std::uint32_t> order = {},
                            const Roundings& roundings = {}) noexcept;
 

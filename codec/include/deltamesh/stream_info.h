@@ -19,8 +19,8 @@ namespace deltamesh {
 /// Errors of the decoded mesh against the encoder's input, measured by the encoder on its own decoded stream.
 /// See spec/quality.md for the definitions.
 struct Quality {
-  double vde_rms = 0;    ///< visual distortion error S_q (eq. 2) divided by sqrt(n); model units
-  double lfe_rms = 0;    ///< low-frequency error M_q (eq. 1) divided by sqrt(n); model units
+  double vde_rms = 0;    ///< visual distortion error S_q (eq. 2) over sqrt(m) [QUAL-1]; model units
+  double lfe_rms = 0;    ///< low-frequency error M_q (eq. 1) over sqrt(m) [QUAL-2]; model units
   double max_error = 0;  ///< largest distance of a vertex from its original; model units
 };
 
