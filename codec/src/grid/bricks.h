@@ -170,7 +170,7 @@ class Bricks {
   void add_block(std::uint32_t& block);
 
   std::vector<Brick*> bricks_;
-  std::map<Place, Brick*> by_place_;  ///< no hash: streams could be made whose places all have the same
+  std::map<Place, Brick*> by_place_;  ///< a tree, as a stream can have places of one hash
   Pieces<Brick> memory_;
   Pieces<std::array<std::uint8_t, kPlaces>> cubes_;
   LargeVector<std::array<std::uint32_t, 3>> vertices_;

@@ -175,7 +175,7 @@ void ReceivedParts::settle(const std::function<bool(const PartKey&)>& is_wanted,
         continue;
       evicted_.clear();  // perhaps for this version alone
       is_stable_ = false;
-      // What may have fitted to this version alone has its turn now, so that there are few rounds.
+      // Parts that fitted only because of this version are tested again now, not a round later.
       for (const PartKey& other : neighbours(key, accepted->second))
         if (const auto found = accepted_.find(other); found != accepted_.end())
           turns.insert(turn_of(other, found->second));

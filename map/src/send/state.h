@@ -73,7 +73,7 @@ struct MapSender::State {
   Result<bool> send(const SendUnit& unit, SendPlan& plan, Viewer& viewer, double now,
                     std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_pose(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
-  /// Shows the receiver that what was sent last is, if nothing else does.
+  /// Sends a numbered start after a pause, so that the receiver notices if the message before it is lost.
   Result<void> tell_end(Viewer& viewer, double now, std::vector<std::vector<std::byte>>& messages);
   Result<void> tell_faults(const std::vector<PartFault>& faults, Viewer& viewer, double now,
                            std::vector<std::vector<std::byte>>& messages);

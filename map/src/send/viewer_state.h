@@ -66,7 +66,7 @@ struct SentPart {
 /// Seconds for a first reply to the map's message.
 inline constexpr double kDescribeWait = 0.2;
 
-/// In place of a part's key, of messages about none: poses, and what shows that all is sent.
+/// In place of a key, for messages about no part: poses, and a start after the last message.
 inline constexpr PartKey kNoPart{kMostPartLevel + 1, 0, 0, 0};
 
 struct Viewer {
@@ -117,8 +117,8 @@ struct Viewer {
     }
   }
 
-  /// Whether the receiver may have the part as it was before that revision. If not, it can show what comes
-  /// without waiting for others: nothing that it shows is lost [MAP-12].
+  /// Whether the receiver may have an older version of the part. If not, a new one takes the place of nothing
+  /// that is shown, and need not wait for other parts [MAP-12].
   bool may_have_before(const PartKey& key, std::uint64_t revision) const {
     const auto found = sent.find(key);
     return found != sent.end() && found->second.first < revision;

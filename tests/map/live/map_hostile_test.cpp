@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright 2026 The deltamesh authors
 //
-// A sender that means no good: its messages are proper, and cost a receiver no more than others do.
+// A hostile sender: its messages are valid, and must not cost a receiver more than others do.
 #include <gtest/gtest.h>
 #include <xxhash.h>
 

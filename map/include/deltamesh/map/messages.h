@@ -22,7 +22,7 @@ namespace deltamesh {
 struct StartMessage {
   std::uint64_t map = 0;     ///< hash_of() the map's description
   std::uint64_t start = 0;   ///< the map's revision at that time
-  std::uint64_t number = 0;  ///< as EntryMessage::number, where it shows that those before it were sent
+  std::uint64_t number = 0;  ///< 0, or as EntryMessage::number after the last message
 };
 
 /// Tells that there is a version of a part, or that a part is gone [MAP-13].

@@ -66,8 +66,8 @@ class Delivery {
   /// The last message, where it is unanswered for so long that it is worth another try: what comes of it
   /// tells what is lost (RFC 8985, tail loss probe).
   std::optional<std::uint64_t> probe(double now) const;
-  /// Whether the last message was sent a moment ago and a reply will take long: nothing that comes after it
-  /// would show that it is lost, unless another message does.
+  /// Whether the last message was sent a moment ago, a reply takes long, and nothing was sent after it that
+  /// would show the receiver if it is lost.
   bool is_end_unseen(double now) const noexcept;
   /// Whether receipts still tell of a message of this number.
   bool is_told_of(std::uint64_t number) const noexcept { return number + kReceiptNumbers >= told_; }
